@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Which joints of a character are its arms and legs, and why we think so.
+//
+// A limb is an open linkage from its root (shoulder, hip) over its middle (elbow, knee) to its end
+// (wrist, ankle). Between them may stand twist or helper joints: driven joints, which keep their
+// clip relation to the limb joint they serve.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/scene/model.h"
+
+namespace elbowroom {
+
+enum class LimbKind { left_arm, right_arm, left_leg, right_leg, chain };
+
+const char* limb_id(LimbKind kind);  // "left_arm", ... as on the command line and in reports
+
+struct Limb {
+  LimbKind kind = LimbKind::chain;
+  std::string name;         // limb_id, or FROM..TO for a chain
+  std::vector<int> joints;  // node indices, root to end, driven ones between them included
+  int root = -1, middle = -1, end = -1;  // shoulder/hip, elbow/knee, wrist/ankle
+  std::string why;          // what the finding rests on, for people
+
+  bool is_arm() const { return kind == LimbKind::left_arm || kind == LimbKind::right_arm; }
+  bool is_left() const { return kind == LimbKind::left_arm || kind == LimbKind::left_leg; }
+};
+
+struct LimbFindings {
+  std::vector<Limb> limbs;            // at most one of each kind
+  std::vector<std::string> warnings;  // one for each limb not found, with the reason
+};
+
+// Finds arms and legs: the file's own word first (VRM humanoid bones, once the reader passes them
+// on), then names, then hierarchy. Cost: O(joints).
+LimbFindings find_limbs(const Model& model, const Character& character);
+
+// The limb named on a command line: left_arm, ..., or FROM..TO by joint names. Error: no such limb
+// or joint, with what there is.
+Result<Limb> limb_by_name(const Model& model, const Character& character,
+                          const std::string& name);
+
+// The body's own axes at the bind pose, world space, unit: up (hips to head), left (right limb
+// roots to left ones), forward (left × up ... chosen right-handed and towards where the feet point).
+struct BodyAxes {
+  Vec3 up, left, forward;
+};
+BodyAxes body_axes(const Model& model, const Character& character, const LimbFindings& findings);
+
+}  // namespace elbowroom

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The DOFs of a limb as plain numbers, and the convex set of their limits. Shared by anatomy, which
+// makes them, and planning, which searches in them and knows no joint.
+//
+// Angles are radians. Limits are convex in the parameters, so that an edge between two allowed ends
+// keeps them (DESIGN.md, "Interpolation").
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace elbowroom {
+
+inline constexpr int kMaxDofs = 16;
+
+struct Dofs {
+  std::array<double, kMaxDofs> value{};
+  int count = 0;
+
+  double& operator[](int i) { return value[static_cast<std::size_t>(i)]; }
+  double operator[](int i) const { return value[static_cast<std::size_t>(i)]; }
+};
+
+// What a DOF is to the sampling heuristics of [SKF07 4.2].
+enum class DofRole { swing, twist, flexion, secondary_swing };
+
+struct Dof {
+  std::string name;  // anatomical, for people: "Elbow, flexion"
+  DofRole role = DofRole::swing;
+  double lower = 0, upper = 0;                    // limit
+  double sample_lower = 0, sample_upper = 0;      // sampling interval, inside the limit
+  double speed_limit = 0;                         // |dq/dt|, rad/s
+};
+
+// (q[first]/half_first)² + (q[second]/half_second)² ≤ 1: the spherical ellipse of a swing
+// [SKF07 4.2, Grassia 1998].
+struct EllipseLimit {
+  int first = 0, second = 0;
+  double half_first = 0, half_second = 0;
+};
+
+struct DofSpace {
+  std::vector<Dof> dofs;
+  std::vector<EllipseLimit> ellipses;
+
+  int count() const { return static_cast<int>(dofs.size()); }
+  // All ranges and ellipses hold within `tolerance` (radians; for an ellipse, on its value).
+  bool within_limits(const Dofs& q, double tolerance = 1e-9) const;
+  // Widens ranges and ellipses just enough to hold q; returns the indices of DOFs widened.
+  std::vector<int> widen_to(const Dofs& q);
+};
+
+}  // namespace elbowroom

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The world as the planner sees it: one limb's rigid body parts (and what it carries) against all
+// other parts, at any (q, t) of a window. Fast and approximate where skin deforms; the final word
+// is SceneCollision's.
+#pragma once
+
+#include <memory>
+
+#include "core/collision/scene_collision.h"
+#include "core/planning/state_space.h"
+
+namespace elbowroom {
+
+class LimbPlanningSpace : public StateSpace {
+ public:
+  struct Settings {
+    double clearance = 0;  // scene units, kept from everything that is not allowed
+    double margin = 0;     // scene units, added where skin is known to leave its rigid part
+  };
+  // `at_init`, `at_goal`: the limb's states in the clip at the window's ends; the residual goes from
+  // one to the other by slerp (DESIGN.md, "Residual"). Keeps a reference to `scene`.
+  LimbPlanningSpace(const SceneCollision& scene, int limb, double t_init, double t_goal,
+                    const LimbState& at_init, const LimbState& at_goal, const Settings& settings);
+  ~LimbPlanningSpace() override;
+
+  bool valid(const Configuration& c) override;
+  void metric_points(const Configuration& c, std::vector<Vec3>& points) override;
+  const std::vector<double>& step_times() const override;
+
+  // Residuals at time t of the window.
+  std::array<Quat, 3> residual_at(double t) const;
+  // The pair of parts that made valid() say no most often, for reports; empty if none did.
+  std::pair<std::string, std::string> most_blocking() const;
+
+  // For benchmarks: the same geometry for another library. Parts in their own frames and their
+  // placements at (q, t); `limb` tells the two sides apart.
+  struct Part {
+    const CollisionMesh* mesh;
+    std::string name;
+    bool limb;
+  };
+  const std::vector<Part>& parts() const;
+  void placements(const Configuration& c, std::vector<RigidTransform>& world_from_part);
+  // Pairs of part indices that valid() tests, with their filters.
+  struct Pair {
+    int a, b;
+    PatchFilter filter;
+  };
+  const std::vector<Pair>& pairs() const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace elbowroom

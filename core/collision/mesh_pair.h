@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Questions about two collision meshes in a relative placement: do they touch, where, how far apart.
+//
+// Two triangle surfaces cross if and only if an edge of one crosses a triangle of the other; that is
+// asked of Embree as rays, both ways, for the edges that culling leaves, and confirmed in double
+// (see the .cpp for the rays' known errors). Surfaces at a distance ≤ `distance` are in contact.
+// A closed component that lies wholly inside a closed component of the other mesh is in contact too
+// (parity rays). Pairs of triangles that a filter allows are passed over.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/collision/collision_mesh.h"
+
+namespace elbowroom {
+
+// Allowed contacts as pairs of patches: every triangle has a patch number in its mesh; the pair
+// (p, q) is allowed if bit p · patches_b + q is set.
+struct PatchFilter {
+  const std::uint16_t* patch_of_a = nullptr;  // one a triangle of mesh a
+  const std::uint16_t* patch_of_b = nullptr;
+  int patches_b = 0;
+  const std::vector<bool>* allowed = nullptr;
+
+  bool allows(std::uint32_t triangle_a, std::uint32_t triangle_b) const {
+    return allowed && (*allowed)[static_cast<std::size_t>(patch_of_a[triangle_a]) *
+                                     static_cast<std::size_t>(patches_b) +
+                                 patch_of_b[triangle_b]];
+  }
+};
+
+// What a query remembers for the next one: the pair that hit last is tried first.
+struct PairCache {
+  std::uint32_t triangle_a = 0, triangle_b = 0;
+  bool set = false;
+};
+
+struct TriangleContact {
+  std::uint32_t triangle_a = 0, triangle_b = 0;
+  Vec3 place{0.0};  // in a's frame, on or between the two triangles
+  bool contained = false;  // found by parity, not by crossing
+};
+
+// True if anything not allowed is in contact (distance ≤ `distance` ≥ 0, in a's units).
+bool in_contact(const CollisionMesh& a, const CollisionMesh& b, const RigidTransform& a_from_b,
+                double distance, const PatchFilter& filter = {}, PairCache* cache = nullptr);
+
+// All pairs in contact, in a fixed order; allowed ones too, unless the filter says so.
+void find_contacts(const CollisionMesh& a, const CollisionMesh& b, const RigidTransform& a_from_b,
+                   double distance, const PatchFilter& filter, std::vector<TriangleContact>& out);
+
+// The distance of the two surfaces, 0 where they cross, or `at_most` if it is larger. Containment
+// is not looked at. Exact within 1e-9 of the meshes' size.
+double surface_distance(const CollisionMesh& a, const CollisionMesh& b,
+                        const RigidTransform& a_from_b, double at_most,
+                        const PatchFilter& filter = {});
+
+// How deep points of a lie inside b and the other way round: the largest distance from a vertex of
+// one that is inside a closed component of the other to the other's surface; 0 if none is inside.
+double penetration_depth(const CollisionMesh& a, const CollisionMesh& b,
+                         const RigidTransform& a_from_b);
+
+}  // namespace elbowroom

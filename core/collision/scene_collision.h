@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// Contacts of a whole world on the deformed skin, with one character in view: its limbs (and what
+// they carry) against everything, and everything else against everything. This is the truth that
+// `check`, windows and the final verification rest on.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/anatomy/limb_model.h"
+#include "core/collision/mesh_pair.h"
+#include "core/scene/world.h"
+
+namespace elbowroom {
+
+// Lengths are for a character 1.75 m tall and scale with height (DESIGN.md, "Contact").
+struct CollisionSettings {
+  double epsilon = 1e-5;            // × height: in contact at or below
+  double clearance = 0.005 / 1.75;  // × height: kept while planning
+  double joint_radius = 0.06;       // × height: geodesic radius of allowed contact about a joint that
+                                    // two parts share
+  double patch_size = 0.03;         // × height: diameter of an allowed-contact patch
+};
+
+enum class AllowedReason { shared_joint, bind_pose, clip, support };
+const char* allowed_reason_id(AllowedReason reason);
+
+// One pair of parts in contact at one time.
+struct ContactSample {
+  int limb = -1;            // index of the limb involved (the first, if both are), -1: none
+  std::string part_a, part_b;  // "Ada/RightForeArm", "umbrella.glb/Canopy"; the limb's side first
+  Vec3 place{0.0};          // world
+  double depth = 0;         // scene units; 0 for surfaces that only touch or cross openly
+  bool allowed = false;
+  AllowedReason reason = AllowedReason::shared_joint;
+};
+
+// Contacts of one pair over a stretch of time.
+struct ContactInterval {
+  ContactSample deepest;
+  double begin = 0, end = 0, time_of_deepest = 0;  // seconds
+};
+
+struct AllowedContacts {
+  struct Entry {
+    std::string part_a, part_b;
+    AllowedReason reason;
+    int patches = 0;      // pairs of patches
+    double depth = 0;     // deepest the clip has it, scene units
+  };
+  std::vector<Entry> entries;
+};
+
+class SceneCollision {
+ public:
+  // `limbs` of world.actors[actor]'s character `character`, in the order of their indices below.
+  // Rests on the world's clips for clip-contact patches, over [begin, end]. Cost: a scan of the clip.
+  static Result<SceneCollision> build(World world, int actor, int character,
+                                      std::vector<LimbModel> limbs, double begin, double end,
+                                      const CollisionSettings& settings);
+  SceneCollision(SceneCollision&&) noexcept;
+  SceneCollision& operator=(SceneCollision&&) noexcept;
+  ~SceneCollision();
+
+  const World& world() const;
+  int actor() const;
+  const std::vector<LimbModel>& limbs() const;
+  double height() const;  // the character's, the unit of tolerances
+  const CollisionSettings& settings() const;
+  const AllowedContacts& allowed_contacts() const;
+
+  // The actor plays another clip from now on (a correction under test). What is allowed stays as
+  // it was built from the source clip.
+  void set_clip(std::shared_ptr<const Clip> clip);
+
+  // Contacts at time t, on the deformed skin. With only_limb ≥ 0 only that limb (and what it
+  // carries) against everything is looked at. Allowed ones are listed as such if asked for.
+  void contacts_at(double t, int only_limb, bool list_allowed, std::vector<ContactSample>& out);
+
+  // True as soon as one contact of the limb that is not allowed is found at t, at ≤ `distance`.
+  bool limb_in_contact(double t, int limb, double distance);
+
+  // Distance of limb (and carried objects) from everything it is not allowed to touch, at most
+  // `at_most`, scene units.
+  double limb_clearance(double t, int limb, double at_most);
+
+  // Contacts over [begin, end] sampled at `rate` Hz (and at the clip's keys and both sides of its
+  // steps), merged into intervals whose ends are bisected to 1e-4 s.
+  std::vector<ContactInterval> scan(double begin, double end, double rate, int only_limb,
+                                    bool list_allowed);
+
+  struct Data;
+  Data& data() { return *data_; }
+  const Data& data() const { return *data_; }
+
+ private:
+  explicit SceneCollision(std::unique_ptr<Data> data);
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace elbowroom
