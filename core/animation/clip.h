@@ -33,7 +33,7 @@ struct Clip {
   std::string name;  // as in the file; may be empty
   std::vector<Channel> channels;
   int source_animation = -1;  // index in the file
-  double begin = 0;  // first and last key of all channels, seconds
+  double begin = 0;           // first and last key of all channels, seconds
   double end = 0;
 
   double duration() const { return end - begin; }

@@ -25,9 +25,9 @@ struct Transform {
 };
 
 struct Joint {
-  std::string name;  // as in the file; may be empty or not unique
-  int parent = -1;   // index, -1 for a root
-  Transform rest;    // the node's own TRS; of a `matrix` node its best decomposition
+  std::string name;                 // as in the file; may be empty or not unique
+  int parent = -1;                  // index, -1 for a root
+  Transform rest;                   // the node's own TRS; of a `matrix` node its best decomposition
   std::optional<Mat4> rest_matrix;  // set for a node with `matrix`: it can't be animated and this
                                     // is what places it
 };
@@ -49,7 +49,7 @@ struct Skeleton {
 bool link_skeleton(Skeleton& skeleton);
 
 struct Pose {
-  std::vector<Transform> local;         // by joint
+  std::vector<Transform> local;                    // by joint
   std::vector<std::vector<double>> morph_weights;  // by joint (node); empty: the mesh's own
 };
 
