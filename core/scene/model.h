@@ -69,7 +69,7 @@ struct Material {
 // A skinned figure: all skins whose joints hang together, their meshes, and rigid meshes that hang
 // below one of their joints (a sword in a hand).
 struct Character {
-  std::string name;         // of the topmost node that is not shared with another character
+  std::string name;  // of the topmost node that is not shared with another character
   std::vector<int> skins;
   std::vector<int> meshes;  // indices in Model::meshes, skinned and rigid
   std::vector<int> joints;  // union of the skins' joints, node indices, ascending

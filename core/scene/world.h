@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The world w(t) of [SKF07 3]: every file that is placed in the scene, what it plays, and what it is
-// attached to; a pure function of t. All actors share one clock, in seconds; outside its keys a
+// The world w(t) of [SKF07 3]: every file that is placed in the scene, what it plays, and what it
+// is attached to; a pure function of t. All actors share one clock, in seconds; outside its keys a
 // clip clamps.
 #pragma once
 
@@ -35,7 +35,8 @@ struct Actor {
 };
 
 struct World {
-  std::vector<Actor> actors;  // the edited character's file first; attached ones after their carriers
+  std::vector<Actor>
+      actors;  // the edited character's file first; attached ones after their carriers
 };
 
 struct ActorState {
