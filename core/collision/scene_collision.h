@@ -74,6 +74,10 @@ class SceneCollision {
   // it was built from the source clip.
   void set_clip(std::shared_ptr<const Clip> clip);
 
+  // That limb's joints take this state at every time instead of the clip's, until called with null:
+  // for planning on the deformed skin.
+  void pose_limb(int limb, const LimbState* state);
+
   // Contacts at time t, on the deformed skin. With only_limb ≥ 0 only that limb (and what it
   // carries) against everything is looked at. Allowed ones are listed as such if asked for.
   void contacts_at(double t, int only_limb, bool list_allowed, std::vector<ContactSample>& out);

@@ -16,7 +16,8 @@ LimbTrack::LimbTrack(const Model& model, const Clip& clip, const LimbModel& limb
                      double end)
     : model_(&model), clip_(&clip), limb_(&limb), begin_(begin), end_(end) {
   rest_ = rest_pose(model.skeleton);
-  const auto steps = static_cast<std::size_t>(std::ceil(std::max(1.0, (end - begin) * kSampleRate)));
+  const auto steps =
+      static_cast<std::size_t>(std::ceil(std::max(1.0, (end - begin) * kSampleRate)));
   step_ = (end - begin) / static_cast<double>(steps);
   samples_.reserve(steps + 1);
   for (std::size_t i = 0; i <= steps; ++i)
@@ -39,8 +40,8 @@ LimbState LimbTrack::sample(double t, const LimbState* previous) const {
 LimbState LimbTrack::at(double t) const {
   t = std::clamp(t, begin_, end_);
   const double position = step_ > 0 ? (t - begin_) / step_ : 0;
-  const auto nearest = std::min(static_cast<std::size_t>(std::lround(position)),
-                                samples_.size() - 1);
+  const auto nearest =
+      std::min(static_cast<std::size_t>(std::lround(position)), samples_.size() - 1);
   return sample(t, &samples_[nearest]);
 }
 

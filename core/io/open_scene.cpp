@@ -86,7 +86,8 @@ Result<OpenedScene> open_scene(const SceneDescription& description) {
     if (joint < 0) {
       const auto& joints = model->characters[static_cast<std::size_t>(scene.character)].joints;
       std::vector<std::string> names;
-      for (int j : joints) names.push_back(model->skeleton.joints[static_cast<std::size_t>(j)].name);
+      for (int j : joints)
+        names.push_back(model->skeleton.joints[static_cast<std::size_t>(j)].name);
       return Error{"there is no joint \"" + attached.joint + "\" to attach " +
                        attached.file.filename().string() + " to",
                    description.character.string(), "its joints: " + list_of(names)};

@@ -9,9 +9,9 @@
 namespace elbowroom {
 
 struct OpenedScene {
-  World world;  // actor 0 is the character's file; then obstacles, then attached props
-  int character = 0;           // index in actor 0's model
-  int clip = -1;               // index in actor 0's model, -1 if it has none
+  World world;        // actor 0 is the character's file; then obstacles, then attached props
+  int character = 0;  // index in actor 0's model
+  int clip = -1;      // index in actor 0's model, -1 if it has none
   std::vector<std::string> warnings;  // of all files
 
   const Model& model() const { return *world.actors.front().model; }

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Motion correction [SKF07 6.1]: finds where a limb collides, plans it a way around in sync with
+// the rest of the clip and the scene, and verifies the keys that a player will show.
+//
+// What comes out has been looked at on the deformed skin: at 240 Hz, at every key and at 1,000
+// random times of the window. A motion that fails is replanned, with a larger margin and at last on
+// the deformed skin itself, or reported as failed; it is never returned as good.
+//
+// Deterministic for a seed and an iteration budget. Runs on the calling thread; stop tokens are
+// answered within 50 ms.
+#pragma once
+
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/collision/scene_collision.h"
+#include "core/editing/document.h"
+
+namespace elbowroom {
+
+enum class CorrectionStatus { corrected, failed, cancelled };
+
+// What one window came to; the fields of a report's `corrections`.
+struct WindowReport {
+  CorrectionStatus status = CorrectionStatus::failed;
+  int limb = -1;
+  double begin = 0, end = 0;  // seconds, float32 values
+  std::uint64_t seed = 0;     // of the attempt that was taken
+  bool certified = false;     // true only with a continuous proof
+  double min_clearance = 0;   // scene units, over the verified samples
+  double plan_ms = 0, smooth_ms = 0, verify_ms = 0, total_ms = 0;
+  long validity_checks = 0, edge_checks = 0, iterations = 0;
+  int landmarks = 0;
+  double peak_speed = 0;           // rad/s, any DOF
+  double peak_acceleration = 0;    // rad/s², any DOF
+  double deviation_from_clip = 0;  // rad, the largest angle of any limb joint from the clip
+  std::string blocked_by;          // what stood in the way, when it failed: pair and time
+  std::string reason;              // for people, when it failed
+  std::vector<std::string> limits_widened;  // DOF names
+  int attempts = 0;
+};
+
+struct CorrectionOutcome {
+  std::vector<WindowReport> windows;    // in the order they were worked on
+  std::vector<Correction> corrections;  // those that succeeded
+  std::shared_ptr<const Clip> clip;     // the source with the corrections laid over it
+  std::vector<ContactInterval> before;  // the limbs' contacts in the source clip, not allowed ones
+  std::vector<ContactInterval> after;   // and in `clip`
+  std::vector<ContactInterval> other;   // contacts that involve no limb: they fail nothing
+
+  bool all_corrected() const;
+  bool cancelled() const;
+};
+
+// Windows for the contacts of one limb: each stretch with a lead-in and lead-out, widened until the
+// limb is free at both ends; stretches that meet become one. A window whose end can't be freed
+// because the clip begins or ends in contact says so in `blocked`.
+struct ProposedWindow {
+  double begin = 0, end = 0;
+  std::vector<ContactInterval> contacts;
+  std::string blocked;  // empty: both ends are free
+};
+std::vector<ProposedWindow> propose_windows(SceneCollision& scene, int limb,
+                                            const std::vector<ContactInterval>& contacts,
+                                            double clearance);
+
+// Does the task on the world that `scene` holds: limbs is the list of limb indices to correct in
+// this order (each later one in sync with the earlier ones' new motion [SKF07 7]). The scene plays
+// the outcome's clip afterwards.
+// Errors: no clip; a sampling interval for a DOF that no limb has.
+Result<CorrectionOutcome> correct(SceneCollision& scene, const std::vector<int>& limbs,
+                                  const CorrectTask& task, std::stop_token stop = {},
+                                  const ProgressSink& progress = {});
+
+// The clip with corrections laid over it, in order; muted ones are passed over. Error: keys that
+// don't fit the clip (a correction made for another one), with the joint's name.
+Result<Clip> lay_over(const Skeleton& skeleton, const Clip& source,
+                      const std::vector<Correction>& corrections);
+
+}  // namespace elbowroom

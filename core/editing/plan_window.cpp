@@ -1,0 +1,407 @@
+// SPDX-License-Identifier: MIT
+#include "core/editing/plan_window.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/random.h"
+#include "core/collision/limb_planning_space.h"
+#include "core/editing/limb_keys.h"
+#include "core/editing/limb_track.h"
+#include "core/editing/skin_planning_space.h"
+#include "core/planning/curve_fit.h"
+#include "core/planning/planner.h"
+#include "core/planning/smoothing.h"
+
+namespace elbowroom {
+namespace {
+
+constexpr double kVerifyRate = 240;  // Hz (DESIGN.md, "Results must meet")
+constexpr int kRandomTimes = 1000;
+constexpr double kLeastKeyRate = 60;     // Hz
+constexpr double kSpeedReserve = 1.05;   // over the clip's own peak speed, where that is the limit
+constexpr double kClearanceReach = 0.1;  // × height: farther obstacles are not measured
+
+using Clock = std::chrono::steady_clock;
+double ms_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// One way of looking at the world while planning.
+struct Attempt {
+  bool on_skin = false;
+  double clearance = 0;  // scene units
+  double margin = 0;
+};
+
+// What one window has in common for all attempts.
+struct Problem {
+  SceneCollision* scene = nullptr;
+  std::shared_ptr<const Clip> clip;
+  int limb_index = 0;
+  const LimbModel* limb = nullptr;
+  double begin = 0, end = 0;
+  LimbState at_init, at_goal;
+  Dofs velocity_init, velocity_goal;
+  DofSpace space;
+  double length_unit = 1;
+  const LimbTrack* track = nullptr;
+};
+
+// One verified candidate.
+struct Candidate {
+  Correction correction;
+  std::shared_ptr<const Clip> clip;
+  WindowReport report;
+  double cost = 0;
+};
+
+std::string at_time(double t) {
+  char text[32];
+  std::snprintf(text, sizeof text, " at %.3f s", t);
+  return text;
+}
+
+double limb_length(const Problem& p) {
+  std::vector<ActorState> states;
+  world_state_at(p.scene->world(), p.begin, states);
+  const auto& globals = states[static_cast<std::size_t>(p.scene->actor())].world_from_joint;
+  double length = 0;
+  for (std::size_t j = 1; j < p.limb->joints.size(); ++j) {
+    const auto a = globals[static_cast<std::size_t>(p.limb->joints[j - 1].joint)][3];
+    const auto b = globals[static_cast<std::size_t>(p.limb->joints[j].joint)][3];
+    length += glm::length(Vec3(b) - Vec3(a));
+  }
+  return length > 0 ? length : 0.3 * p.scene->height();
+}
+
+// Limits and speed limits that the clip itself exceeds are widened for this query.
+void widen_limits(Problem& p, WindowReport& report) {
+  std::vector<bool> widened(static_cast<std::size_t>(p.space.count()), false);
+  const int samples = std::max(2, static_cast<int>((p.end - p.begin) * 120));
+  for (int i = 0; i <= samples; ++i) {
+    const Dofs q = p.track->at(p.begin + (p.end - p.begin) * i / samples).q;
+    for (const int d : p.space.widen_to(q)) widened[static_cast<std::size_t>(d)] = true;
+  }
+  for (const Dofs* q : {&p.at_init.q, &p.at_goal.q})
+    for (const int d : p.space.widen_to(*q)) widened[static_cast<std::size_t>(d)] = true;
+  for (int d = 0; d < p.space.count(); ++d) {
+    Dof& dof = p.space.dofs[static_cast<std::size_t>(d)];
+    const double own = std::max(
+        {p.track->peak_speed()[d], std::abs(p.velocity_init[d]), std::abs(p.velocity_goal[d])});
+    const bool too_fast = own * kSpeedReserve > dof.speed_limit;
+    if (too_fast) dof.speed_limit = own * kSpeedReserve;
+    if (widened[static_cast<std::size_t>(d)]) report.limits_widened.push_back(dof.name);
+    if (too_fast) report.limits_widened.push_back(dof.name + " (speed)");
+  }
+}
+
+// The first contact over the verification times, or an empty string. Lowers min_clearance.
+std::string verify(Problem& p, const std::shared_ptr<const Clip>& clip,
+                   const std::vector<float>& keys, std::uint64_t seed, const std::stop_token& stop,
+                   double& min_clearance) {
+  SceneCollision& scene = *p.scene;
+  scene.set_clip(clip);
+  const double touching = scene.settings().epsilon * scene.height();
+  std::vector<double> steps;
+  for (const auto& actor : scene.world().actors)
+    if (actor.clip)
+      for (const double t : step_times(*actor.clip)) steps.push_back(t);
+  const auto times = verification_times(p.begin, p.end, keys, steps, seed);
+  for (const double t : times) {
+    if (stop.stop_requested()) return "cancelled";
+    if (scene.limb_in_contact(t, p.limb_index, touching)) {
+      std::vector<ContactSample> contacts;
+      scene.contacts_at(t, p.limb_index, false, contacts);
+      return contacts.empty()
+                 ? "contact" + at_time(t)
+                 : contacts.front().part_a + " with " + contacts.front().part_b + at_time(t);
+    }
+  }
+  const int samples = std::max(1, static_cast<int>((p.end - p.begin) * 120));
+  for (int i = 0; i <= samples; ++i) {
+    if (stop.stop_requested()) return "cancelled";
+    const double t = p.begin + (p.end - p.begin) * i / samples;
+    min_clearance = std::min(min_clearance, scene.limb_clearance(t, p.limb_index, min_clearance));
+  }
+  return {};
+}
+
+// How much an animator has to like it: mean squared distance from the clip's parameters (rad²), the
+// acceleration beyond the clip's own, and nearness to what it avoids.
+double motion_cost(const Problem& p, const Curve& curve, double min_clearance) {
+  double deviation = 0, acceleration = 0;
+  const int samples = 120;
+  for (int i = 0; i <= samples; ++i) {
+    const double t = p.begin + (p.end - p.begin) * i / samples;
+    const Dofs q = curve.value(t), a = curve.second(t), r = p.track->at(t).q;
+    for (int d = 0; d < q.count; ++d) {
+      deviation += (q[d] - r[d]) * (q[d] - r[d]);
+      acceleration += a[d] * a[d];
+    }
+  }
+  const double wanted = p.scene->settings().clearance * p.scene->height();
+  const double near = std::max(0.0, 1.0 - min_clearance / std::max(wanted, 1e-12));
+  return deviation / samples + 1e-5 * acceleration / samples + near;
+}
+
+void measure_motion(const Problem& p, const Curve& curve, WindowReport& report) {
+  const int samples = std::max(8, static_cast<int>((p.end - p.begin) * kVerifyRate));
+  for (int i = 0; i <= samples; ++i) {
+    const double u = static_cast<double>(i) / samples;
+    const double t = p.begin + (p.end - p.begin) * u;
+    const Dofs q = curve.value(t), v = curve.derivative(t), a = curve.second(t);
+    const LimbState clip = p.track->at(t);
+    const auto residual = residual_between(p.at_init, p.at_goal, u);
+    for (int d = 0; d < q.count; ++d) {
+      report.peak_speed = std::max(report.peak_speed, std::abs(v[d]));
+      report.peak_acceleration = std::max(report.peak_acceleration, std::abs(a[d]));
+    }
+    for (std::size_t j = 0; j < p.limb->joints.size(); ++j) {
+      const JointModel& joint = p.limb->joints[j];
+      const auto first = static_cast<std::size_t>(joint.first_dof);
+      report.deviation_from_clip =
+          std::max(report.deviation_from_clip,
+                   angle_between(local_rotation(joint, &q.value[first], residual[j]),
+                                 local_rotation(joint, &clip.q.value[first], clip.residual[j])));
+    }
+  }
+}
+
+// One attempt with one seed. Returns true with a verified candidate; otherwise report.reason and
+// blocked_by say why not.
+bool try_once(Problem& p, const Attempt& attempt, const PlanningWishes& wishes, std::uint64_t seed,
+              const std::stop_token& stop, const ProgressSink& progress, Candidate& candidate) {
+  WindowReport& report = candidate.report;
+  report.seed = seed;
+  report.attempts++;
+  p.scene->set_clip(p.clip);
+
+  std::unique_ptr<LimbPlanningSpace> rigid;
+  std::unique_ptr<SkinPlanningSpace> skin;
+  StateSpace* world = nullptr;
+  if (attempt.on_skin) {
+    skin = std::make_unique<SkinPlanningSpace>(*p.scene, p.limb_index, p.begin, p.end, p.at_init,
+                                               p.at_goal, attempt.clearance);
+    world = skin.get();
+  } else {
+    LimbPlanningSpace::Settings settings;
+    settings.clearance = attempt.clearance;
+    settings.margin = attempt.margin;
+    rigid = std::make_unique<LimbPlanningSpace>(*p.scene, p.limb_index, p.begin, p.end, p.at_init,
+                                                p.at_goal, settings);
+    world = rigid.get();
+  }
+  auto blocked = [&] {
+    if (!rigid) return;
+    const auto pair = rigid->most_blocking();
+    if (!pair.first.empty()) report.blocked_by = pair.first + " with " + pair.second;
+  };
+
+  PlannerSettings planner;
+  planner.seed = seed;
+  planner.max_iterations =
+      attempt.on_skin ? std::max(1, wishes.max_iterations / 10) : wishes.max_iterations;
+  if (wishes.max_seconds > 0) planner.max_seconds = wishes.max_seconds;
+  PlannerQuery query;
+  query.space = &p.space;
+  query.init = {p.at_init.q, p.begin};
+  query.goal = {p.at_goal.q, p.end};
+  query.length_unit = p.length_unit;
+  const auto planned = plan(*world, query, planner, stop, progress);
+  report.plan_ms += planned.milliseconds;
+  report.iterations += planned.stats.iterations;
+  report.validity_checks += planned.stats.checks.validity_checks;
+  report.edge_checks += planned.stats.checks.edge_checks;
+  if (planned.status != PlannerStatus::solved) {
+    if (planned.status == PlannerStatus::cancelled) report.status = CorrectionStatus::cancelled;
+    report.reason = planned.reason;
+    blocked();
+    return false;
+  }
+
+  const auto smooth_start = Clock::now();
+  SmoothingSettings smoothing;
+  smoothing.seed = seed;
+  const auto smoothed = smooth_path(*world, planned.path, smoothing, stop, progress);
+  CurveQuery curve_query;
+  curve_query.space = &p.space;
+  curve_query.path = smoothed.path;
+  curve_query.velocity_init = p.velocity_init;
+  curve_query.velocity_goal = p.velocity_goal;
+  curve_query.reference = [&p](double t) { return p.track->at(t).q; };
+  CurveSettings curve_settings;
+  curve_settings.seed = seed;
+  if (attempt.on_skin) curve_settings.max_trials = 120;
+  const auto fitted = fit_curve(*world, curve_query, curve_settings, stop, progress);
+  report.smooth_ms += ms_since(smooth_start);
+  report.validity_checks += smoothed.checks.validity_checks + fitted.checks.validity_checks;
+  report.edge_checks += smoothed.checks.edge_checks + fitted.checks.edge_checks;
+  report.landmarks = static_cast<int>(smoothed.path.size());
+  if (fitted.status != CurveStatus::solved) {
+    if (stop.stop_requested()) report.status = CorrectionStatus::cancelled;
+    report.reason = fitted.reason;
+    blocked();
+    return false;
+  }
+
+  const auto verify_start = Clock::now();
+  Correction& correction = candidate.correction;
+  correction.limb = p.limb->limb.name;
+  correction.begin = static_cast<float>(p.begin);
+  correction.end = static_cast<float>(p.end);
+  correction.made_with = wishes;
+  correction.made_with.seed = seed;
+  const auto& skeleton =
+      p.scene->world().actors[static_cast<std::size_t>(p.scene->actor())].model->skeleton;
+  correction.joints = make_limb_keys(
+      skeleton, *p.limb, [&](double t) { return fitted.curve.value(t); }, p.at_init, p.at_goal,
+      p.begin, p.end, std::max(kLeastKeyRate, key_rate(*p.clip)));
+  auto laid = lay_over(skeleton, *p.clip, {correction});
+  if (!laid) {
+    report.reason = laid.error().message();
+    return false;
+  }
+  candidate.clip = std::make_shared<const Clip>(std::move(*laid));
+  report.min_clearance = kClearanceReach * p.scene->height();
+  const std::string hit = verify(p, candidate.clip, correction.joints.front().keys.times, seed,
+                                 stop, report.min_clearance);
+  p.scene->set_clip(p.clip);
+  report.verify_ms += ms_since(verify_start);
+  if (!hit.empty()) {
+    if (stop.stop_requested()) report.status = CorrectionStatus::cancelled;
+    report.reason = "the planned motion touches on the deformed skin";
+    report.blocked_by = hit;
+    return false;
+  }
+  report.status = CorrectionStatus::corrected;
+  report.reason.clear();
+  report.blocked_by.clear();
+  measure_motion(p, fitted.curve, report);
+  candidate.cost = motion_cost(p, fitted.curve, report.min_clearance);
+  return true;
+}
+
+}  // namespace
+
+std::vector<double> verification_times(double begin, double end, const std::vector<float>& keys,
+                                       const std::vector<double>& steps, std::uint64_t seed) {
+  std::vector<double> times;
+  const int samples = static_cast<int>(std::ceil((end - begin) * kVerifyRate));
+  for (int i = 0; i <= samples; ++i) times.push_back(std::min(end, begin + i / kVerifyRate));
+  times.push_back(end);
+  for (const float key : keys) times.push_back(static_cast<double>(key));
+  Random random(seed ^ 0x76657269667921ull);
+  for (int i = 0; i < kRandomTimes; ++i) times.push_back(random.uniform(begin, end));
+  for (const double step : steps)
+    for (const double side :
+         {std::nextafter(static_cast<float>(step), -1.0e30f), static_cast<float>(step)})
+      if (side >= begin && side <= end) times.push_back(side);
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+WindowPlan plan_window(SceneCollision& scene, const std::shared_ptr<const Clip>& clip, int limb,
+                       double begin, double end, const PlanningWishes& wishes,
+                       const std::stop_token& stop, const ProgressSink& progress) {
+  const auto start = Clock::now();
+  WindowPlan result;
+  WindowReport& report = result.report;
+  report.limb = limb;
+  report.begin = begin;
+  report.end = end;
+  report.seed = wishes.seed;
+
+  Problem p;
+  p.scene = &scene;
+  p.clip = clip;
+  p.limb_index = limb;
+  p.limb = &scene.limbs()[static_cast<std::size_t>(limb)];
+  p.begin = begin;
+  p.end = end;
+  const Model& model = *scene.world().actors[static_cast<std::size_t>(scene.actor())].model;
+  const LimbTrack track(model, *clip, *p.limb, begin, end);
+  p.track = &track;
+  p.at_init = track.at(begin);
+  p.at_goal = track.at(end);
+  // Where the clip begins or ends with the window there is no motion outside to meet: its own, seen
+  // from inside, is met instead.
+  p.velocity_init = track.rate(begin, begin <= clip->begin ? 1 : -1);
+  p.velocity_goal = track.rate(end, end >= clip->end ? -1 : 1);
+  p.space = p.limb->space;
+  for (Dof& dof : p.space.dofs) {
+    const auto wish = wishes.sampling.find(dof.name);
+    if (wish == wishes.sampling.end()) continue;
+    dof.sample_lower = std::clamp(wish->second.lower, dof.lower, dof.upper);
+    dof.sample_upper = std::clamp(wish->second.upper, dof.sample_lower, dof.upper);
+  }
+  widen_limits(p, report);
+  p.length_unit = limb_length(p);
+
+  const double touching = scene.settings().epsilon * scene.height();
+  const double wanted =
+      wishes.clearance > 0 ? wishes.clearance : scene.settings().clearance * scene.height();
+  scene.set_clip(clip);
+  for (const double t : {begin, end}) {
+    if (!scene.limb_in_contact(t, limb, touching)) continue;
+    std::vector<ContactSample> contacts;
+    scene.contacts_at(t, limb, false, contacts);
+    report.reason = "the limb is in contact at the window's " +
+                    std::string(t == begin ? "begin" : "end") +
+                    "; choose a window whose ends are free";
+    if (!contacts.empty())
+      report.blocked_by = contacts.front().part_a + " with " + contacts.front().part_b + at_time(t);
+    report.total_ms = ms_since(start);
+    return result;
+  }
+
+  const double skin = 0.01 * scene.height();
+  const std::vector<Attempt> attempts = {
+      {false, wanted, 0},      {false, wanted, skin},     {true, wanted, 0},
+      {true, 0.3 * wanted, 0}, {true, 2.0 * touching, 0},
+  };
+  std::optional<Candidate> best;
+  Candidate failed;  // gathers the counts and the last reason
+  failed.report = report;
+  for (std::size_t k = 0; k < attempts.size() && !best; ++k) {
+    for (int alternative = 0; alternative < std::max(1, wishes.alternatives); ++alternative) {
+      if (stop.stop_requested()) break;
+      Candidate candidate;
+      candidate.report = failed.report;
+      const std::uint64_t seed =
+          wishes.seed + 1000003ull * k + 7919ull * static_cast<std::uint64_t>(alternative);
+      if (try_once(p, attempts[k], wishes, seed, stop, progress, candidate)) {
+        if (!best || candidate.cost < best->cost) best = candidate;
+      }
+      // What an attempt cost is part of the whole, whether or not it is taken.
+      const WindowReport& spent = candidate.report;
+      failed.report.attempts = spent.attempts;
+      failed.report.plan_ms = spent.plan_ms;
+      failed.report.smooth_ms = spent.smooth_ms;
+      failed.report.verify_ms = spent.verify_ms;
+      failed.report.iterations = spent.iterations;
+      failed.report.validity_checks = spent.validity_checks;
+      failed.report.edge_checks = spent.edge_checks;
+      if (spent.status != CorrectionStatus::corrected) {
+        failed.report.reason = spent.reason;
+        failed.report.blocked_by = spent.blocked_by;
+      }
+    }
+    if (stop.stop_requested()) break;
+  }
+  scene.set_clip(clip);
+  if (best && !stop.stop_requested()) {
+    report = best->report;
+    result.correction = std::move(best->correction);
+  } else {
+    report = failed.report;
+    report.status = stop.stop_requested() ? CorrectionStatus::cancelled : CorrectionStatus::failed;
+  }
+  report.total_ms = ms_since(start);
+  return result;
+}
+
+}  // namespace elbowroom

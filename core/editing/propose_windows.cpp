@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "core/editing/correct.h"
+
+namespace elbowroom {
+namespace {
+
+// An animator leads into a dodge and out of it; a third of a second on each side is a natural
+// reaction and return, and leaves speeds moderate.
+constexpr double kLead = 0.35;            // s
+constexpr double kSearchStep = 1.0 / 60;  // s, in looking for a free end farther out
+
+double as_float32(double t) { return static_cast<double>(static_cast<float>(t)); }
+
+// The first time at or beyond `from`, going by `step` (signed) no farther than `bound`, at which
+// the limb is free with `clearance`; with none, one at which it merely does not touch. False if it
+// touches all the way.
+bool find_free_end(SceneCollision& scene, int limb, double from, double step, double bound,
+                   double clearance, double& found) {
+  const double touching = scene.settings().epsilon * scene.height();
+  bool any = false;
+  for (double t = from;; t += step) {
+    const bool last = step > 0 ? t >= bound : t <= bound;
+    if (last) t = bound;
+    const double rounded = as_float32(t);
+    if (!scene.limb_in_contact(rounded, limb, clearance)) {
+      found = rounded;
+      return true;
+    }
+    if (!any && !scene.limb_in_contact(rounded, limb, touching)) {
+      found = rounded;  // kept in case nothing better comes
+      any = true;
+    }
+    if (last) return any;
+  }
+}
+
+}  // namespace
+
+std::vector<ProposedWindow> propose_windows(SceneCollision& scene, int limb,
+                                            const std::vector<ContactInterval>& contacts,
+                                            double clearance) {
+  const auto& clip = scene.world().actors[static_cast<std::size_t>(scene.actor())].clip;
+  std::vector<ContactInterval> own;
+  for (const auto& contact : contacts)
+    if (contact.deepest.limb == limb && !contact.deepest.allowed) own.push_back(contact);
+  std::stable_sort(own.begin(), own.end(),
+                   [](const auto& a, const auto& b) { return a.begin < b.begin; });
+
+  std::vector<ProposedWindow> windows;
+  for (const auto& contact : own) {
+    ProposedWindow window;
+    window.contacts = {contact};
+    const double from = std::max(clip->begin, contact.begin - kLead);
+    const double to = std::min(clip->end, contact.end + kLead);
+    if (!find_free_end(scene, limb, from, -kSearchStep, clip->begin, clearance, window.begin)) {
+      window.begin = as_float32(clip->begin);
+      window.blocked = "the limb is in contact already where the clip begins";
+    }
+    if (!find_free_end(scene, limb, to, kSearchStep, clip->end, clearance, window.end)) {
+      window.end = as_float32(clip->end);
+      window.blocked = "the limb is still in contact where the clip ends";
+    }
+    if (!windows.empty() && window.begin <= windows.back().end) {
+      ProposedWindow& last = windows.back();
+      last.end = std::max(last.end, window.end);
+      last.contacts.push_back(contact);
+      if (last.blocked.empty()) last.blocked = window.blocked;
+    } else {
+      windows.push_back(window);
+    }
+  }
+  return windows;
+}
+
+}  // namespace elbowroom
