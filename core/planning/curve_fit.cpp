@@ -1,0 +1,443 @@
+// SPDX-License-Identifier: MIT
+#include "core/planning/curve_fit.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+
+#include "core/base/random.h"
+#include "core/planning/curve_check.h"
+#include "core/planning/curve_energy.h"
+#include "core/planning/smoothing.h"
+#include "core/planning/space_check.h"
+
+namespace elbowroom {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kMostRefinements = 12;
+constexpr double kMostSpans = 50000;
+
+enum class Followed { yes, no, stopped };
+
+class Fit {
+ public:
+  Fit(StateSpace& world, const CurveQuery& query, const CurveSettings& settings,
+      std::stop_token stop, const ProgressSink& progress, CurveResult& result)
+      : world_(world),
+        query_(query),
+        settings_(settings),
+        stop_(std::move(stop)),
+        progress_(progress),
+        result_(result),
+        limits_(*query.space),
+        start_(Clock::now()) {
+    const double window = query.path.back().t - query.path.front().t;
+    const int spans = std::max(4, static_cast<int>(std::lround(window / settings.knot_spacing)));
+    for (int i = 0; i <= spans; ++i) {
+      breakpoints_.push_back(i == spans ? query.path.back().t
+                                        : query.path.front().t + window * i / spans);
+    }
+  }
+
+  // A valid curve close to the path; knots are added where there is none.
+  Followed follow_path() {
+    for (;; ++result_.refinements) {
+      place_on_path();
+      std::vector<bool> bad(breakpoints_.size() - 1, false);
+      if (!mark_bad_spans(bad)) return Followed::stopped;
+      if (std::none_of(bad.begin(), bad.end(), [](bool b) { return b; })) return Followed::yes;
+      if (result_.refinements == kMostRefinements || !refine(bad)) return Followed::no;
+    }
+  }
+
+  // Lowers the energy by valid steps; false on a stop.
+  bool fair() {
+    prepare_energy();
+    result_.energy_first = result_.energy = energy(energy_matrix_, offsets_);
+    Random random(settings_.seed);
+    std::int64_t failures = 0;
+    Clock::time_point told = Clock::now();
+    while (result_.trials < settings_.max_trials && failures < settings_.max_consecutive_failures) {
+      if (stop_.stop_requested()) return false;
+      if (seconds() >= settings_.max_seconds) break;
+      if (progress_ && Clock::now() - told > std::chrono::milliseconds(20)) {
+        told = Clock::now();
+        progress_({"fairing", static_cast<double>(result_.trials) /
+                                  static_cast<double>(settings_.max_trials)});
+      }
+      ++failures;
+      if (try_step(random, result_.trials++)) {
+        ++result_.accepted;
+        failures = 0;
+      }
+    }
+    result_.energy = energy(energy_matrix_, offsets_);
+    return !stop_.stop_requested();
+  }
+
+  void report() {
+    result_.curve = curve_;
+    // Speed is piecewise quadratic, acceleration piecewise linear: the latter peaks at knots.
+    for (std::size_t s = 3; s + 4 < curve_.knots.size(); ++s) {
+      for (int k = 0; k <= 8; ++k) {
+        const double t = curve_.knots[s] + (curve_.knots[s + 1] - curve_.knots[s]) * k / 8;
+        const Dofs speed = curve_.derivative(t);
+        for (int i = 0; i < speed.count; ++i) {
+          result_.peak_speed = std::max(result_.peak_speed, std::abs(speed[i]));
+        }
+      }
+      for (const double t : {curve_.knots[s], curve_.knots[s + 1]}) {
+        const Dofs acceleration = curve_.second(t);
+        for (int i = 0; i < acceleration.count; ++i) {
+          result_.peak_acceleration =
+              std::max(result_.peak_acceleration, std::abs(acceleration[i]));
+        }
+      }
+    }
+    for (int i = 0; i < limits_.count(); ++i) {
+      const Dof& asked = query_.space->dofs[static_cast<std::size_t>(i)];
+      const Dof& used = limits_.dofs[static_cast<std::size_t>(i)];
+      const double beyond = std::max(asked.lower - used.lower, used.upper - asked.upper);
+      const double faster = used.speed_limit - asked.speed_limit;
+      double swing = 0;
+      for (std::size_t e = 0; e < limits_.ellipses.size(); ++e) {
+        const EllipseLimit& from = query_.space->ellipses[e];
+        const EllipseLimit& to = limits_.ellipses[e];
+        if (from.first == i) swing = std::max(swing, to.half_first - from.half_first);
+        if (from.second == i) swing = std::max(swing, to.half_second - from.half_second);
+      }
+      if (std::max(beyond, swing) > 1e-9) {
+        result_.limit_excess.push_back({i, std::max(beyond, swing)});
+      }
+      if (faster > 1e-9) result_.speed_excess.push_back({i, faster});
+    }
+  }
+
+ private:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  int count() const { return static_cast<int>(curve_.control.size()); }
+  int fixed_at_begin() const { return query_.acceleration_init ? 3 : 2; }
+  int fixed_at_end() const { return query_.acceleration_goal ? 3 : 2; }
+  double knot(int i) const { return curve_.knots[static_cast<std::size_t>(i)]; }
+  Dofs& control(int i) { return curve_.control[static_cast<std::size_t>(i)]; }
+
+  // Control points on the path at their Greville abscissae, which makes the differences of control
+  // points slopes of the path; those at the ends as values, velocities and accelerations ask.
+  void place_on_path() {
+    const std::vector<Configuration>& path = query_.path;
+    const int dofs = path.front().q.count;
+    curve_.knots = clamped_knots(breakpoints_);
+    const int n = static_cast<int>(curve_.knots.size()) - 4;
+    curve_.control.clear();
+    for (int i = 0; i < n; ++i) {
+      curve_.control.push_back(path_at(path, greville_abscissa(curve_.knots, i)).q);
+    }
+    control(0) = path.front().q;
+    control(n - 1) = path.back().q;
+    // q'(t_init) = 3 (P1 - P0) / (k4 - k1), and q'' there = 2 (Q1 - Q0) / (k4 - k2) with the
+    // derivative's control points Q_i = 3 (P_{i+1} - P_i) / (k_{i+4} - k_{i+1}); likewise at the
+    // end.
+    for (int a = 0; a < dofs; ++a) {
+      control(1)[a] = control(0)[a] + query_.velocity_init[a] * (knot(4) - knot(1)) / 3;
+      control(n - 2)[a] =
+          control(n - 1)[a] - query_.velocity_goal[a] * (knot(n + 2) - knot(n - 1)) / 3;
+      if (query_.acceleration_init) {
+        const double next =
+            query_.velocity_init[a] + (*query_.acceleration_init)[a] * (knot(4) - knot(2)) / 2;
+        control(2)[a] = control(1)[a] + next * (knot(5) - knot(2)) / 3;
+      }
+      if (query_.acceleration_goal) {
+        const double next = query_.velocity_goal[a] -
+                            (*query_.acceleration_goal)[a] * (knot(n + 1) - knot(n - 1)) / 2;
+        control(n - 3)[a] = control(n - 2)[a] - next * (knot(n + 1) - knot(n - 2)) / 3;
+      }
+    }
+    widen_to_ends();
+    slow_down();
+  }
+
+  // What the fixed control points break is not the fit's to mend: limits give way to them.
+  void widen_to_ends() {
+    limits_ = *query_.space;
+    const auto widen_speed = [this](int i) {
+      for (int a = 0; a < limits_.count(); ++a) {
+        double& limit = limits_.dofs[static_cast<std::size_t>(a)].speed_limit;
+        limit = std::max(limit, std::abs(slope(i, a)));
+      }
+    };
+    for (int i = 0; i < fixed_at_begin(); ++i) {
+      limits_.widen_to(control(i));
+      if (i > 0) widen_speed(i - 1);
+    }
+    for (int i = count() - fixed_at_end(); i < count(); ++i) {
+      limits_.widen_to(control(i));
+      if (i < count() - 1) widen_speed(i);
+    }
+  }
+
+  // The derivative's control point between control points i and i + 1.
+  double slope(int i, int a) {
+    return 3 * (control(i + 1)[a] - control(i)[a]) / (knot(i + 4) - knot(i + 1));
+  }
+
+  // Next to the ends the path may be too fast to be caught up with: the first free control points
+  // are drawn into the cone of speeds of their neighbours, from both ends.
+  void slow_down() {
+    const int n = count();
+    const int dofs = limits_.count();
+    const auto draw = [&](int i, int neighbour, double span) {
+      for (int a = 0; a < dofs; ++a) {
+        const double way = limits_.dofs[static_cast<std::size_t>(a)].speed_limit * span / 3;
+        const double middle = control(neighbour)[a];
+        control(i)[a] = std::clamp(control(i)[a], middle - way, middle + way);
+      }
+    };
+    for (int i = fixed_at_begin(); i < n - fixed_at_end(); ++i) {
+      draw(i, i - 1, knot(i + 3) - knot(i));
+    }
+    for (int i = n - fixed_at_end() - 1; i >= fixed_at_begin(); --i) {
+      draw(i, i + 1, knot(i + 4) - knot(i + 1));
+    }
+  }
+
+  bool keeps_limits(int i) { return limits_.within_limits(control(i)); }
+
+  bool keeps_speed(int i) {
+    for (int a = 0; a < limits_.count(); ++a) {
+      const double limit = limits_.dofs[static_cast<std::size_t>(a)].speed_limit;
+      if (!(std::abs(slope(i, a)) <= limit * (1 + 1e-9) + 1e-12)) return false;
+    }
+    return true;
+  }
+
+  // Spans that collide, or that a control point out of bounds acts on. False on a stop.
+  bool mark_bad_spans(std::vector<bool>& bad) {
+    const int n = count();
+    const auto mark = [&](int first, int last) {
+      for (int s = std::max(3, first); s <= std::min(n - 1, last); ++s) {
+        bad[static_cast<std::size_t>(s - 3)] = true;
+      }
+    };
+    for (int i = 0; i < n; ++i) {
+      if (!keeps_limits(i)) mark(i, i + 3);
+      if (i + 1 < n && !keeps_speed(i)) mark(i + 1, i + 3);
+    }
+    for (int s = 3; s < n; ++s) {
+      if (bad[static_cast<std::size_t>(s - 3)]) continue;
+      double collision = 0;
+      if (!curve_span_free(world_, curve_, s, s, settings_.resolution, {}, stop_, result_.checks,
+                           collision)) {
+        if (std::isnan(collision)) return false;
+        mark(s, s);
+        result_.reason = "the curve collides at " + std::to_string(collision) + " s";
+      }
+    }
+    return true;
+  }
+
+  // Halves the spans marked and their neighbours; false if none can be halved.
+  bool refine(const std::vector<bool>& bad) {
+    std::vector<double> finer;
+    bool halved = false;
+    for (std::size_t s = 0; s < bad.size(); ++s) {
+      finer.push_back(breakpoints_[s]);
+      const bool near = bad[s] || (s > 0 && bad[s - 1]) || (s + 1 < bad.size() && bad[s + 1]);
+      const double half = 0.5 * (breakpoints_[s + 1] - breakpoints_[s]);
+      if (near && half >= settings_.smallest_knot_spacing) {
+        finer.push_back(breakpoints_[s] + half);
+        halved = true;
+      }
+    }
+    finer.push_back(breakpoints_.back());
+    breakpoints_ = std::move(finer);
+    return halved;
+  }
+
+  void prepare_energy() {
+    const double t_a = settings_.acceleration_time, t_j = settings_.jerk_time;
+    EnergyWeights weights{1, t_a * t_a * t_a * t_a, t_j * t_j * t_j * t_j * t_j * t_j};
+    std::vector<Dofs> reference;
+    if (query_.reference) {
+      // 12 Hz: what a body does is below, the kinks of linear keys are above.
+      reference = smoothing_spline(curve_.knots, query_.reference, limits_.count(),
+                                   1 / (2 * 3.14159265358979323846 * 12));
+    }
+    if (reference.empty()) weights.position = 0;
+    energy_matrix_ = energy_matrix(curve_.knots, weights);
+    offsets_ = curve_.control;
+    for (std::size_t i = 0; i < reference.size(); ++i) {
+      for (int a = 0; a < limits_.count(); ++a) offsets_[i][a] -= reference[i][a];
+    }
+  }
+
+  // One trial: a stretch of control points, all DOFs or one, by the whole step to the minimum, a
+  // half or a quarter of it. The first trial takes everything there is.
+  bool try_step(Random& random, std::int64_t trial) {
+    const int begin = fixed_at_begin();
+    const int free = count() - fixed_at_end() - begin;
+    int first = begin, last = begin + free - 1, only = -1;
+    if (trial > 0) {
+      // Lengths are drawn by magnitude, so that short and long stretches have their turn.
+      const double longest = std::log(static_cast<double>(free));
+      const double shortest = std::min(longest, std::log(3.0));
+      const int length = std::clamp(
+          static_cast<int>(std::lround(std::exp(random.uniform(shortest, longest)))), 1, free);
+      first = begin + static_cast<int>(random.below(static_cast<std::uint64_t>(free - length + 1)));
+      last = first + length - 1;
+      if (random.uniform() < 0.4) {
+        only = static_cast<int>(random.below(static_cast<std::uint64_t>(limits_.count())));
+      }
+    }
+    Dofs gain;
+    std::vector<Dofs> step = minimizing_step(energy_matrix_, offsets_, first, last, gain);
+    if (step.empty()) return false;
+    double whole_gain = 0;
+    for (int a = 0; a < gain.count; ++a) {
+      if (only < 0 || a == only) {
+        whole_gain += gain[a];
+      } else {
+        for (Dofs& s : step) s[a] = 0;
+      }
+    }
+    if (!(whole_gain > 1e-4 * result_.energy) || !(whole_gain > 1e-14)) return false;
+
+    const std::vector<Dofs> before(curve_.control.begin() + first,
+                                   curve_.control.begin() + last + 1);
+    for (const double share : {1.0, 0.5, 0.25}) {
+      for (std::size_t i = 0; i < step.size(); ++i) {
+        for (int a = 0; a < gain.count; ++a) {
+          control(first + static_cast<int>(i))[a] = before[i][a] + share * step[i][a];
+        }
+      }
+      if (bounded(first, last) && collision_free(first, last)) {
+        for (std::size_t i = 0; i < step.size(); ++i) {
+          for (int a = 0; a < gain.count; ++a) {
+            offsets_[static_cast<std::size_t>(first) + i][a] += share * step[i][a];
+          }
+        }
+        result_.energy -= (2 * share - share * share) * whole_gain;
+        return true;
+      }
+      if (stop_.stop_requested()) break;
+    }
+    std::copy(before.begin(), before.end(), curve_.control.begin() + first);
+    return false;
+  }
+
+  bool bounded(int first, int last) {
+    for (int i = first; i <= last; ++i) {
+      if (!keeps_limits(i) || !keeps_speed(i - 1)) return false;
+    }
+    return keeps_speed(last);
+  }
+
+  bool collision_free(int first, int last) {
+    double collision = 0;
+    if (curve_span_free(world_, curve_, std::max(3, first), std::min(count() - 1, last + 3),
+                        settings_.resolution, suspects_, stop_, result_.checks, collision)) {
+      return true;
+    }
+    // Where one curve collided the next one is likely to: the last few such times are tried first.
+    if (!std::isnan(collision) &&
+        std::find(suspects_.begin(), suspects_.end(), collision) == suspects_.end()) {
+      suspects_.insert(suspects_.begin(), collision);
+      if (suspects_.size() > 4) suspects_.pop_back();
+    }
+    return false;
+  }
+
+  StateSpace& world_;
+  const CurveQuery& query_;
+  const CurveSettings& settings_;
+  std::stop_token stop_;
+  const ProgressSink& progress_;
+  CurveResult& result_;
+  DofSpace limits_;  // the query's, wide enough for what is fixed at the ends
+  Clock::time_point start_;
+  std::vector<double> breakpoints_;
+  Curve curve_;
+  BandMatrix energy_matrix_;
+  std::vector<Dofs> offsets_;     // control points less those of the reference
+  std::vector<double> suspects_;  // times of recent collisions, latest first
+};
+
+std::string query_fault(const CurveQuery& query, const CurveSettings& settings) {
+  if (!query.space) return "no DOF space is given";
+  std::string fault = dof_space_fault(*query.space);
+  if (fault.empty()) fault = path_fault(query.path);
+  if (fault.empty()) fault = dofs_fault(*query.space, query.path.front().q);
+  if (fault.empty()) fault = dofs_fault(*query.space, query.velocity_init);
+  if (fault.empty()) fault = dofs_fault(*query.space, query.velocity_goal);
+  if (fault.empty() && query.acceleration_init) {
+    fault = dofs_fault(*query.space, *query.acceleration_init);
+  }
+  if (fault.empty() && query.acceleration_goal) {
+    fault = dofs_fault(*query.space, *query.acceleration_goal);
+  }
+  if (!fault.empty()) return fault;
+  const auto positive = [](double x) { return std::isfinite(x) && x > 0; };
+  if (!positive(settings.knot_spacing) || !positive(settings.smallest_knot_spacing) ||
+      !positive(settings.resolution.radians) || !positive(settings.resolution.seconds) ||
+      !positive(settings.acceleration_time) || !positive(settings.jerk_time)) {
+    return "a setting of the curve is not positive";
+  }
+  if (std::isnan(settings.max_seconds)) return "the time budget is not a number";
+  const double window = query.path.back().t - query.path.front().t;
+  if (window / settings.knot_spacing > kMostSpans) return "the window is too long for its knots";
+  if (window < 1e-4) return "the window is empty";
+  if (query.reference) {
+    for (int k = 0; k <= 64; ++k) {
+      const Dofs r = query.reference(query.path.front().t + window * k / 64);
+      if (fault = dofs_fault(*query.space, r); !fault.empty()) return "reference: " + fault;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+const char* curve_status_id(CurveStatus status) {
+  switch (status) {
+    case CurveStatus::solved:
+      return "solved";
+    case CurveStatus::no_curve:
+      return "no_curve";
+    case CurveStatus::cancelled:
+      return "cancelled";
+    case CurveStatus::invalid_query:
+      return "invalid_query";
+  }
+  return "unknown";
+}
+
+CurveResult fit_curve(StateSpace& world, const CurveQuery& query, const CurveSettings& settings,
+                      std::stop_token stop, const ProgressSink& progress) {
+  const Clock::time_point start = Clock::now();
+  CurveResult result;
+  result.reason = query_fault(query, settings);
+  if (result.reason.empty()) {
+    Fit fit(world, query, settings, stop, progress, result);
+    switch (fit.follow_path()) {
+      case Followed::yes:
+        result.reason.clear();
+        result.status = fit.fair() ? CurveStatus::solved : CurveStatus::cancelled;
+        fit.report();
+        break;
+      case Followed::no:
+        result.status = CurveStatus::no_curve;
+        if (result.reason.empty()) result.reason = "limits or speed limits cannot be kept";
+        break;
+      case Followed::stopped:
+        result.status = CurveStatus::cancelled;
+        break;
+    }
+    if (result.status == CurveStatus::cancelled) result.reason = "cancelled";
+  }
+  result.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  return result;
+}
+
+}  // namespace elbowroom
