@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The program's commands (DESIGN.md, "The command line"). Each prints for people on standard
+// output, errors on standard error, and returns its exit code.
+#pragma once
+
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "app/options.h"
+
+namespace elbowroom {
+
+struct InfoOptions {
+  std::string file;
+  bool json = false;
+};
+int run_info(const InfoOptions& options);
+
+struct CheckOptions {
+  SceneOptions scene;
+  std::string report;
+};
+int run_check(const CheckOptions& options, std::stop_token stop);
+
+struct CorrectOptions {
+  SceneOptions scene;
+  std::string limb = "auto";
+  std::string window = "auto";
+  std::uint64_t seed = 1;
+  int alternatives = 1;
+  double clearance = 0;
+  std::vector<std::string> sampling;  // "DOF=LOWER:UPPER" in degrees
+  std::string out;
+  std::string report;
+  std::string save_project;
+};
+int run_correct(const CorrectOptions& options, std::stop_token stop);
+
+struct SolveOptions {
+  std::string project;
+  std::string out;
+  std::string report;
+};
+int run_solve(const SolveOptions& options, std::stop_token stop);
+
+struct RenderOptions {
+  SceneOptions scene;
+  std::string times;
+  std::string out;
+  int columns = 0;                // 0: chosen
+  int width = 480, height = 600;  // of one frame, pixels
+  std::string compare_clip;       // a second row that plays this clip
+};
+int run_render(const RenderOptions& options);
+
+}  // namespace elbowroom

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/exit_codes.h"
+#include "app/terminal.h"
+#include "core/anatomy/limb_model.h"
+#include "core/io/gltf_reader.h"
+
+namespace elbowroom {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json limb_json(const Model& model, const Limb& limb) {
+  Json joints = Json::array();
+  for (const int joint : limb.joints)
+    joints.push_back(model.skeleton.joints[static_cast<std::size_t>(joint)].name);
+  return {{"joints", joints}, {"why", limb.why}};
+}
+
+void print_text(const Model& model, const Json& info) {
+  std::printf("%s\n", model.path.string().c_str());
+  for (const auto& character : info["characters"]) {
+    std::printf("\ncharacter  %s\n  %d joints, %d triangles, height %.4g\n",
+                character["name"].get<std::string>().c_str(), character["joints"].get<int>(),
+                character["triangles"].get<int>(), character["height"].get<double>());
+    for (const auto& [name, limb] : character["limbs"].items()) {
+      std::string joints;
+      for (const auto& joint : limb["joints"])
+        joints += (joints.empty() ? "" : " > ") + joint.get<std::string>();
+      std::printf("  %-10s %s\n             %s\n", name.c_str(), joints.c_str(),
+                  limb["why"].get<std::string>().c_str());
+    }
+  }
+  for (const auto& object : info["objects"])
+    std::printf("\nobject     %s\n  %d triangles%s\n", object["name"].get<std::string>().c_str(),
+                object["triangles"].get<int>(), object["animated"].get<bool>() ? ", animated" : "");
+  if (!info["clips"].empty()) std::printf("\nclips\n");
+  int index = 0;
+  for (const auto& clip : info["clips"])
+    std::printf("  %3d  %-32s %7.3f s  %4d channels\n", index++,
+                clip["name"].get<std::string>().c_str(), clip["duration"].get<double>(),
+                clip["channels"].get<int>());
+  if (!info["warnings"].empty()) std::printf("\nwarnings\n");
+  for (const auto& warning : info["warnings"])
+    std::printf("  %s\n", warning.get<std::string>().c_str());
+}
+
+}  // namespace
+
+int run_info(const InfoOptions& options) {
+  ReadOptions read;
+  read.images = false;
+  const auto opened = read_gltf(options.file, read);
+  if (!opened) {
+    print_error(opened.error());
+    return kExitBadInput;
+  }
+  const Model& model = **opened;
+  Json info;
+  info["file"] = options.file;
+  info["characters"] = Json::array();
+  std::vector<std::string> warnings = model.warnings;
+  for (const Character& character : model.characters) {
+    const LimbFindings findings = find_limbs(model, character);
+    Json limbs = Json::object();
+    for (const Limb& limb : findings.limbs) {
+      limbs[limb.name] = limb_json(model, limb);
+      const auto fitted = fit_limb_model(model, character, limb, findings);
+      if (!fitted) {
+        warnings.push_back(fitted.error().message());
+        continue;
+      }
+      limbs[limb.name]["flexion_axis"] = fitted->flexion_axis_from;
+    }
+    for (const auto& warning : findings.warnings)
+      warnings.push_back(character.name + ": " + warning);
+    info["characters"].push_back({{"name", character.name},
+                                  {"joints", character.joints.size()},
+                                  {"triangles", character.triangles},
+                                  {"height", character.height},
+                                  {"limbs", limbs}});
+  }
+  info["objects"] = Json::array();
+  for (const Object& object : model.objects)
+    info["objects"].push_back(
+        {{"name", object.name}, {"triangles", object.triangles}, {"animated", object.animated}});
+  info["clips"] = Json::array();
+  for (const Clip& clip : model.clips)
+    info["clips"].push_back(
+        {{"name", clip.name}, {"duration", clip.duration()}, {"channels", clip.channels.size()}});
+  info["warnings"] = warnings;
+  if (options.json)
+    std::printf("%s\n", info.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+  else
+    print_text(model, info);
+  return kExitDone;
+}
+
+}  // namespace elbowroom

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands.h"
+#include "app/delivery.h"
+#include "app/exit_codes.h"
+#include "app/terminal.h"
+#include "core/editing/correct.h"
+#include "core/io/project_file.h"
+
+namespace elbowroom {
+
+int run_solve(const SolveOptions& options, std::stop_token stop) {
+  const auto document = read_project(options.project);
+  if (!document) return refuse(document.error(), options.report);
+  // Limbs named by joints are fitted besides the usual ones; a project may name one.
+  std::string extra;
+  for (const auto& task : document->tasks)
+    if (task.limb.find("..") != std::string::npos) extra = task.limb;
+  auto session = open_session(*document, extra);
+  if (!session) return refuse(session.error(), options.report);
+  print_warnings(session->warnings);
+  const ProgressSink progress = terminal_progress();
+  auto scene = contacts_of(*session);
+  if (!scene) return refuse(scene.error(), options.report);
+
+  CorrectionOutcome whole;
+  whole.clip = session->clip();
+  for (const auto& task : document->tasks) {
+    const auto limbs = limbs_named(*session, task.limb);
+    if (!limbs) return refuse(limbs.error(), options.report);
+    auto outcome = correct(*scene, *limbs, task, stop, progress);  // on the last one's clip
+    if (!outcome) return refuse(outcome.error(), options.report);
+    for (const auto& contact : outcome->before) whole.before.push_back(contact);
+    whole.after = outcome->after;
+    if (whole.other.empty()) whole.other = outcome->other;
+    for (auto& window : outcome->windows) whole.windows.push_back(std::move(window));
+    for (auto& correction : outcome->corrections)
+      whole.corrections.push_back(std::move(correction));
+    whole.clip = outcome->clip;
+    if (stop.stop_requested()) break;
+  }
+  return deliver(*session, *scene, whole, {options.out, options.report});
+}
+
+}  // namespace elbowroom

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// From a correction's outcome to a file on disk that has been read back and compared, the report
+// beside it and the exit code. Shared by `correct` and `solve`.
+#pragma once
+
+#include <stop_token>
+#include <string>
+
+#include "app/session.h"
+#include "core/editing/correct.h"
+
+namespace elbowroom {
+
+struct DeliveryPlaces {
+  std::string out;
+  std::string report;  // may be empty
+};
+
+// Writes out and report, prints what was done, and returns the exit code. Nothing but the report is
+// written unless every window was corrected (or there was nothing to correct).
+int deliver(const Session& session, const SceneCollision& scene, const CorrectionOutcome& outcome,
+            const DeliveryPlaces& places);
+
+// An error before there was an outcome: message, report, exit code 2.
+int refuse(const Error& error, const std::string& report);
+
+}  // namespace elbowroom

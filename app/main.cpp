@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// The program: reads the command line and hands over to a command.
+#include <signal.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <stop_token>
+#include <thread>
+
+#include "app/commands.h"
+#include "app/exit_codes.h"
+
+namespace {
+
+using namespace elbowroom;
+
+// SIGINT becomes a stop request: a thread of its own waits for the signal, since almost nothing may
+// be done in a handler. A second one ends the program at once.
+class Interruption {
+ public:
+  Interruption() {
+    sigemptyset(&signals_);
+    sigaddset(&signals_, SIGINT);
+    pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
+    std::thread([signals = signals_, source = source_]() mutable {
+      for (int seen = 0;; ++seen) {
+        int signal = 0;
+        if (sigwait(&signals, &signal) != 0) return;
+        if (seen > 0) _exit(kExitInterrupted);
+        source.request_stop();
+      }
+    }).detach();
+  }
+  std::stop_token token() const { return source_.get_token(); }
+
+ private:
+  sigset_t signals_;
+  std::stop_source source_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App program("Elbowroom: corrects motion clips where limbs collide.");
+  program.set_version_flag("--version", "elbowroom 0.1.0");
+  program.footer(
+      "LIMB is left_arm, right_arm, left_leg, right_leg, auto (every limb that collides), or\n"
+      "FROM..TO, the names of two joints. Times are seconds of the clip's own clock.\n"
+      "Exit codes: 0 done, 1 wrong usage, 2 bad input, 3 no valid motion found, 4 contacts found\n"
+      "(check), 130 interrupted.");
+  program.require_subcommand(0, 1);
+
+  InfoOptions info;
+  CLI::App* info_command = program.add_subcommand("info", "what is in a file");
+  info_command->add_option("FILE", info.file, "a glTF file")->required();
+  info_command->add_flag("--json", info.json, "as JSON");
+
+  CheckOptions check;
+  CLI::App* check_command = program.add_subcommand("check", "where the clip collides");
+  add_scene_options(*check_command, check.scene);
+  check_command->add_option("--report", check.report, "write a report")->type_name("R.json");
+
+  CorrectOptions correct;
+  CLI::App* correct_command =
+      program.add_subcommand("correct", "plan limbs around what they collide with");
+  add_scene_options(*correct_command, correct.scene);
+  correct_command->add_option("--limb", correct.limb, "which limb (default auto)")
+      ->type_name("LIMB");
+  correct_command->add_option("--window", correct.window, "what to replan (default auto)")
+      ->type_name("A:B|auto");
+  correct_command->add_option("--seed", correct.seed, "of the random planner (default 1)")
+      ->type_name("N");
+  correct_command
+      ->add_option("--alternatives", correct.alternatives,
+                   "ways to plan, of which the best is taken (default 1)")
+      ->type_name("K")
+      ->check(CLI::Range(1, 64));
+  correct_command
+      ->add_option("--clearance", correct.clearance,
+                   "distance to keep, scene units (default 5 mm for a height of 1.75 m)")
+      ->type_name("D")
+      ->check(CLI::NonNegativeNumber);
+  correct_command
+      ->add_option("--sample", correct.sampling,
+                   "a DOF's sampling interval in degrees, \"Elbow, flexion=20:120\"; may be given "
+                   "more than once")
+      ->type_name("DOF=A:B")
+      ->allow_extra_args(false);
+  correct_command->add_option("-o,--out", correct.out, "the corrected file")
+      ->type_name("OUT.glb")
+      ->required();
+  correct_command->add_option("--report", correct.report, "write a report")->type_name("R.json");
+  correct_command
+      ->add_option("--save-project", correct.save_project,
+                   "write the scene, the task and its corrections as a project")
+      ->type_name("P.elbow");
+
+  SolveOptions solve;
+  CLI::App* solve_command = program.add_subcommand("solve", "all tasks of a project, in order");
+  solve_command->add_option("PROJECT", solve.project, "a project file")->required();
+  solve_command->add_option("-o,--out", solve.out, "the corrected file")
+      ->type_name("OUT.glb")
+      ->required();
+  solve_command->add_option("--report", solve.report, "write a report")->type_name("R.json");
+
+  RenderOptions render;
+  CLI::App* render_command =
+      program.add_subcommand("render", "a filmstrip of the clip; needs no display");
+  add_scene_options(*render_command, render.scene);
+  render_command->add_option("--times", render.times, "seconds")
+      ->type_name("T1,T2,...")
+      ->required();
+  render_command->add_option("-o,--out", render.out, "the picture")
+      ->type_name("STRIP.png")
+      ->required();
+  render_command->add_option("--columns", render.columns, "frames in a row (default: all, up to 8)")
+      ->check(CLI::Range(1, 64));
+  render_command->add_option("--width", render.width, "of a frame, pixels (default 480)")
+      ->check(CLI::Range(32, 4096));
+  render_command->add_option("--height", render.height, "of a frame, pixels (default 600)")
+      ->check(CLI::Range(32, 4096));
+  render_command
+      ->add_option("--compare", render.compare_clip,
+                   "a second row with another clip of the character, by name or index")
+      ->type_name("NAME");
+
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int code = program.exit(error);
+    return code == 0 ? kExitDone : kExitUsage;
+  }
+  if (info_command->parsed()) return run_info(info);
+  if (render_command->parsed()) return run_render(render);
+  const Interruption interruption;
+  if (check_command->parsed()) return run_check(check, interruption.token());
+  if (correct_command->parsed()) return run_correct(correct, interruption.token());
+  if (solve_command->parsed()) return run_solve(solve, interruption.token());
+  std::fputs(program.help().c_str(), stdout);
+  return kExitUsage;
+}

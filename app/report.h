@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The report of a command, as JSON (DESIGN.md, "Report JSON"): seconds, radians, scene units;
+// computing times in milliseconds.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "app/session.h"
+#include "core/base/result.h"
+#include "core/editing/correct.h"
+
+namespace elbowroom {
+
+// status: "corrected", "nothing_to_correct", "failed", "interrupted".
+std::string correction_report(const std::string& status, const Session& session,
+                              const SceneCollision& scene, const CorrectionOutcome& outcome);
+
+// status: "free", "contacts".
+std::string check_report(const std::string& status, const Session& session,
+                         const SceneCollision& scene, const std::vector<ContactInterval>& contacts,
+                         const std::vector<ContactInterval>& others);
+
+// status "bad_input" with the error.
+std::string error_report(const Error& error);
+
+// Writes the report whole or not at all; `path` empty: does nothing.
+Status write_report(const std::filesystem::path& path, const std::string& text);
+
+}  // namespace elbowroom

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "app/session.h"
+
+#include <algorithm>
+
+namespace elbowroom {
+namespace {
+
+bool is_usual(const std::string& name) {
+  for (const auto kind :
+       {LimbKind::left_arm, LimbKind::right_arm, LimbKind::left_leg, LimbKind::right_leg})
+    if (name == limb_id(kind)) return true;
+  return name.empty() || name == "auto";
+}
+
+}  // namespace
+
+std::string Session::clip_name() const {
+  if (!clip()) return "";
+  return clip()->name.empty() ? "clip " + std::to_string(scene.clip) : clip()->name;
+}
+
+Result<Session> open_session(const Document& document, const std::string& extra_limb) {
+  Session session;
+  session.document = document;
+  auto scene = open_scene(document.scene);
+  if (!scene) return scene.error();
+  session.scene = std::move(*scene);
+  session.warnings = session.scene.warnings;
+  session.findings = find_limbs(session.scene.model(), session.character());
+  for (const auto& warning : session.findings.warnings) session.warnings.push_back(warning);
+
+  std::vector<Limb> limbs = session.findings.limbs;
+  if (!is_usual(extra_limb)) {
+    auto limb = limb_by_name(session.scene.model(), session.character(), extra_limb);
+    if (!limb) return limb.error();
+    limbs.push_back(*limb);
+  }
+  for (const Limb& limb : limbs) {
+    auto fitted =
+        fit_limb_model(session.scene.model(), session.character(), limb, session.findings);
+    if (!fitted) {
+      if (&limb == &limbs.back() && !is_usual(extra_limb)) return fitted.error();
+      session.warnings.push_back(fitted.error().message());
+      continue;
+    }
+    session.limbs.push_back(std::move(*fitted));
+  }
+  return session;
+}
+
+Result<std::vector<int>> limbs_named(const Session& session, const std::string& limb) {
+  std::vector<int> indices;
+  std::string known;
+  for (std::size_t i = 0; i < session.limbs.size(); ++i) {
+    const std::string& name = session.limbs[i].limb.name;
+    known += (known.empty() ? "" : ", ") + name;
+    if (limb == "auto" || name == limb) indices.push_back(static_cast<int>(i));
+  }
+  if (!indices.empty()) return indices;
+  const std::string file = session.document.scene.character.string();
+  if (session.limbs.empty())
+    return Error{"no limb was found on " + session.character().name, file,
+                 "name one by its joints, FROM..TO; `elbowroom info` lists the joints"};
+  return Error{"there is no limb \"" + limb + "\"", file,
+               "found: " + known + "; any other by its joints, FROM..TO"};
+}
+
+Result<SceneCollision> contacts_of(const Session& session) {
+  const auto& clip = session.clip();
+  if (!clip)
+    return Error{"the character has no clip", session.document.scene.character.string(),
+                 "give a file with an animation"};
+  return SceneCollision::build(session.scene.world, 0, session.scene.character, session.limbs,
+                               clip->begin, clip->end, CollisionSettings{});
+}
+
+}  // namespace elbowroom

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// A document made ready to work on: its files read, the character's limbs found and fitted, the
+// scene's contacts at hand. Used by every command that looks at a scene.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/collision/scene_collision.h"
+#include "core/editing/document.h"
+#include "core/io/open_scene.h"
+
+namespace elbowroom {
+
+struct Session {
+  Document document;
+  OpenedScene scene;
+  LimbFindings findings;
+  std::vector<LimbModel> limbs;  // fitted; in the order of SceneCollision's indices
+  std::vector<std::string> warnings;
+
+  const Character& character() const {
+    return scene.model().characters[static_cast<std::size_t>(scene.character)];
+  }
+  const std::shared_ptr<const Clip>& clip() const { return scene.world.actors.front().clip; }
+  std::string clip_name() const;  // as the file has it, "clip 0" where it has no name
+};
+
+// Reads and fits. `extra_limb`: a limb FROM..TO to fit besides the ones found; empty or one of the
+// usual names: none.
+Result<Session> open_session(const Document& document, const std::string& extra_limb = {});
+
+// The limb indices that LIMB (auto: every one) means. Error: no such limb, with what there is.
+Result<std::vector<int>> limbs_named(const Session& session, const std::string& limb);
+
+// Contacts at hand, for the whole clip. Error: no clip.
+Result<SceneCollision> contacts_of(const Session& session);
+
+}  // namespace elbowroom

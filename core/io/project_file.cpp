@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: MIT
+#include "core/io/project_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/io/safe_file.h"
+
+namespace elbowroom {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr int kVersion = 1;
+
+// What the parser below throws inside this file only: the place and what is wrong there.
+struct Damage {
+  std::string where, what;
+};
+
+const Json& member(const Json& object, const char* key, const std::string& where) {
+  const auto found = object.find(key);
+  if (found == object.end()) throw Damage{where, std::string("\"") + key + "\" is missing"};
+  return *found;
+}
+
+std::string text_of(const Json& value, const std::string& where) {
+  if (!value.is_string()) throw Damage{where, "this should be a text"};
+  return value.get<std::string>();
+}
+
+double number_of(const Json& value, const std::string& where) {
+  if (!value.is_number() || !std::isfinite(value.get<double>()))
+    throw Damage{where, "this should be a number"};
+  return value.get<double>();
+}
+
+const Json& array_of(const Json& value, const std::string& where) {
+  if (!value.is_array()) throw Damage{where, "this should be a list"};
+  return value;
+}
+
+const Json& object_of(const Json& value, const std::string& where) {
+  if (!value.is_object()) throw Damage{where, "this should be an object"};
+  return value;
+}
+
+template <int N>
+std::array<double, N> numbers_of(const Json& value, const std::string& where) {
+  if (!value.is_array() || value.size() != N)
+    throw Damage{where, "this should be a list of " + std::to_string(N) + " numbers"};
+  std::array<double, N> numbers;
+  for (std::size_t i = 0; i < N; ++i) numbers[i] = number_of(value[i], where);
+  return numbers;
+}
+
+Quat quat_of(const Json& value, const std::string& where) {
+  const auto v = numbers_of<4>(value, where);
+  return Quat(v[3], v[0], v[1], v[2]);
+}
+
+Json json_of(const Quat& q) { return Json::array({q.x, q.y, q.z, q.w}); }
+Json json_of(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
+
+PlanningWishes wishes_of(const Json& object, const std::string& where) {
+  PlanningWishes wishes;
+  const auto at = [&](const char* key) { return where + "/" + key; };
+  if (object.contains("seed")) {
+    if (!object["seed"].is_number_integer()) throw Damage{at("seed"), "this should be an integer"};
+    wishes.seed = object["seed"].get<std::uint64_t>();
+  }
+  if (object.contains("alternatives"))
+    wishes.alternatives = static_cast<int>(
+        std::clamp(number_of(object["alternatives"], at("alternatives")), 1.0, 64.0));
+  if (object.contains("clearance"))
+    wishes.clearance = std::max(0.0, number_of(object["clearance"], at("clearance")));
+  if (object.contains("max_iterations"))
+    wishes.max_iterations = static_cast<int>(
+        std::clamp(number_of(object["max_iterations"], at("max_iterations")), 1.0, 1e9));
+  if (object.contains("max_seconds"))
+    wishes.max_seconds = std::max(0.0, number_of(object["max_seconds"], at("max_seconds")));
+  if (object.contains("sampling"))
+    for (const auto& [name, interval] : object_of(object["sampling"], at("sampling")).items()) {
+      const auto bounds = numbers_of<2>(interval, at("sampling") + "/" + name);
+      wishes.sampling[name] = {bounds[0], bounds[1]};
+    }
+  return wishes;
+}
+
+void put_wishes(Json& object, const PlanningWishes& wishes) {
+  object["seed"] = wishes.seed;
+  object["alternatives"] = wishes.alternatives;
+  object["clearance"] = wishes.clearance;
+  object["max_iterations"] = wishes.max_iterations;
+  object["max_seconds"] = wishes.max_seconds;
+  Json sampling = Json::object();
+  for (const auto& [name, interval] : wishes.sampling)
+    sampling[name] = Json::array({interval.lower, interval.upper});
+  object["sampling"] = sampling;
+}
+
+std::filesystem::path resolved(const std::filesystem::path& folder, const Json& value,
+                               const std::string& where) {
+  const std::filesystem::path path = text_of(value, where);
+  return path.is_absolute() || folder.empty() ? path : folder / path;
+}
+
+std::string relative_to(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  std::error_code error;
+  const auto absolute_folder = std::filesystem::absolute(folder.empty() ? "." : folder, error);
+  const auto absolute_file = std::filesystem::absolute(file, error);
+  const auto relative =
+      absolute_file.lexically_normal().lexically_relative(absolute_folder.lexically_normal());
+  return (relative.empty() ? absolute_file : relative).generic_string();
+}
+
+Document document_of(const Json& root, const std::filesystem::path& folder) {
+  Document document;
+  const Json& scene = object_of(member(root, "scene", "/"), "/scene");
+  document.scene.character =
+      resolved(folder, member(scene, "character", "/scene"), "/scene/character");
+  if (scene.contains("clip")) document.scene.clip = text_of(scene["clip"], "/scene/clip");
+  if (scene.contains("obstacles"))
+    for (const auto& file : array_of(scene["obstacles"], "/scene/obstacles"))
+      document.scene.obstacles.push_back(resolved(folder, file, "/scene/obstacles"));
+  if (scene.contains("attachments"))
+    for (const auto& item : array_of(scene["attachments"], "/scene/attachments")) {
+      const std::string where =
+          "/scene/attachments/" + std::to_string(document.scene.attachments.size());
+      object_of(item, where);
+      AttachedFile attached;
+      attached.file = resolved(folder, member(item, "file", where), where + "/file");
+      attached.joint = text_of(member(item, "joint", where), where + "/joint");
+      if (item.contains("translation")) {
+        const auto v = numbers_of<3>(item["translation"], where + "/translation");
+        attached.joint_from_object.translation = {v[0], v[1], v[2]};
+      }
+      if (item.contains("rotation")) {
+        const Quat rotation = quat_of(item["rotation"], where + "/rotation");
+        if (glm::length(rotation) < 1e-6) throw Damage{where + "/rotation", "it is zero"};
+        attached.joint_from_object.rotation = glm::normalize(rotation);
+      }
+      document.scene.attachments.push_back(attached);
+    }
+
+  if (root.contains("tasks"))
+    for (const auto& item : array_of(root["tasks"], "/tasks")) {
+      const std::string where = "/tasks/" + std::to_string(document.tasks.size());
+      object_of(item, where);
+      const std::string kind = text_of(member(item, "kind", where), where + "/kind");
+      if (kind != "correct")
+        throw Damage{where + "/kind", "this version knows no task \"" + kind + "\""};
+      CorrectTask task;
+      if (item.contains("name")) task.name = text_of(item["name"], where + "/name");
+      if (item.contains("limb")) task.limb = text_of(item["limb"], where + "/limb");
+      if (item.contains("window") && item["window"] != "auto") {
+        const auto window = numbers_of<2>(item["window"], where + "/window");
+        if (!(window[0] < window[1])) throw Damage{where + "/window", "it ends before it begins"};
+        task.window = Interval{window[0], window[1]};
+      }
+      task.wishes = wishes_of(item, where);
+      document.tasks.push_back(task);
+    }
+
+  if (root.contains("corrections"))
+    for (const auto& item : array_of(root["corrections"], "/corrections")) {
+      const std::string where = "/corrections/" + std::to_string(document.corrections.size());
+      object_of(item, where);
+      Correction correction;
+      if (item.contains("name")) correction.name = text_of(item["name"], where + "/name");
+      correction.limb = text_of(member(item, "limb", where), where + "/limb");
+      const auto window = numbers_of<2>(member(item, "window", where), where + "/window");
+      correction.begin = static_cast<float>(window[0]);
+      correction.end = static_cast<float>(window[1]);
+      if (item.contains("muted")) {
+        if (!item["muted"].is_boolean())
+          throw Damage{where + "/muted", "this should be true or false"};
+        correction.muted = item["muted"].get<bool>();
+      }
+      if (item.contains("made_with"))
+        correction.made_with =
+            wishes_of(object_of(item["made_with"], where + "/made_with"), where + "/made_with");
+      for (const auto& entry : array_of(member(item, "joints", where), where + "/joints")) {
+        const std::string place = where + "/joints/" + std::to_string(correction.joints.size());
+        object_of(entry, place);
+        JointKeys keys;
+        keys.joint = text_of(member(entry, "joint", place), place + "/joint");
+        keys.node = static_cast<int>(number_of(member(entry, "node", place), place + "/node"));
+        for (const auto& time : array_of(member(entry, "times", place), place + "/times"))
+          keys.keys.times.push_back(static_cast<float>(number_of(time, place + "/times")));
+        for (const auto& value : array_of(member(entry, "rotations", place), place + "/rotations"))
+          keys.keys.values.push_back(quat_of(value, place + "/rotations"));
+        if (entry.contains("derivatives"))
+          for (const auto& value : array_of(entry["derivatives"], place + "/derivatives"))
+            keys.keys.derivatives.push_back(quat_of(value, place + "/derivatives"));
+        if (keys.keys.values.size() != keys.keys.times.size() ||
+            (!keys.keys.derivatives.empty() &&
+             keys.keys.derivatives.size() != keys.keys.times.size()))
+          throw Damage{place, "times, rotations and derivatives differ in number"};
+        correction.joints.push_back(std::move(keys));
+      }
+      document.corrections.push_back(std::move(correction));
+    }
+  return document;
+}
+
+// Members of `old` that `fresh` doesn't have, carried over.
+void keep_unknown(Json& fresh, const Json& old) {
+  if (!fresh.is_object() || !old.is_object()) return;
+  for (const auto& [key, value] : old.items())
+    if (!fresh.contains(key)) fresh[key] = value;
+}
+
+// Entries of two lists that have the same kind and name are the same entry.
+void keep_unknown_in_list(Json& fresh, const Json& old) {
+  if (!old.is_array()) return;
+  for (Json& entry : fresh)
+    for (const Json& other : old)
+      if (other.is_object() && other.value("name", Json()) == entry.value("name", Json())) {
+        keep_unknown(entry, other);
+        break;
+      }
+}
+
+Result<Json> parse_project(const std::filesystem::path& file) {
+  const auto text = read_whole_file(file);
+  if (!text) return text.error();
+  Json root = Json::parse(*text, nullptr, false);
+  if (root.is_discarded() || !root.is_object())
+    return Error{"this is no project file: it is no JSON object", file.string(),
+                 "if it was edited by hand or merged, look for a missing comma or bracket"};
+  const auto version = root.find("version");
+  if (version == root.end() || !version->is_number_integer() || version->get<std::int64_t>() < 1)
+    return Error{"this is no project file: it has no version", file.string(), ""};
+  if (version->get<std::int64_t>() > kVersion)
+    return Error{"the project is of version " + version->dump() +
+                     ", and this program knows up to " + std::to_string(kVersion),
+                 file.string(), "open it with a newer Elbowroom"};
+  return root;
+}
+
+}  // namespace
+
+Result<Document> read_project(const std::filesystem::path& file) {
+  auto root = parse_project(file);
+  if (!root) return root.error();
+  try {
+    return document_of(*root, file.parent_path());
+  } catch (const Damage& damage) {
+    return Error{damage.what, file.string() + " at " + damage.where,
+                 "correct it by hand or take an older copy"};
+  } catch (const nlohmann::json::exception& problem) {
+    return Error{problem.what(), file.string(), "correct it by hand or take an older copy"};
+  }
+}
+
+Status write_project(const std::filesystem::path& file, const Document& document) {
+  const auto folder = file.parent_path();
+  Json root;
+  root["version"] = kVersion;
+  Json& scene = root["scene"];
+  scene["character"] = relative_to(folder, document.scene.character);
+  scene["clip"] = document.scene.clip;
+  scene["obstacles"] = Json::array();
+  for (const auto& obstacle : document.scene.obstacles)
+    scene["obstacles"].push_back(relative_to(folder, obstacle));
+  scene["attachments"] = Json::array();
+  for (const auto& attached : document.scene.attachments)
+    scene["attachments"].push_back(
+        {{"file", relative_to(folder, attached.file)},
+         {"joint", attached.joint},
+         {"translation", json_of(attached.joint_from_object.translation)},
+         {"rotation", json_of(attached.joint_from_object.rotation)}});
+  root["tasks"] = Json::array();
+  for (const auto& task : document.tasks) {
+    Json item;
+    item["kind"] = "correct";
+    item["name"] = task.name;
+    item["limb"] = task.limb;
+    item["window"] =
+        task.window ? Json::array({task.window->lower, task.window->upper}) : Json("auto");
+    put_wishes(item, task.wishes);
+    root["tasks"].push_back(item);
+  }
+  root["corrections"] = Json::array();
+  for (const auto& correction : document.corrections) {
+    Json item;
+    item["name"] = correction.name;
+    item["limb"] = correction.limb;
+    item["window"] = Json::array({correction.begin, correction.end});
+    item["muted"] = correction.muted;
+    put_wishes(item["made_with"], correction.made_with);
+    item["joints"] = Json::array();
+    for (const auto& joint : correction.joints) {
+      Json entry;
+      entry["joint"] = joint.joint;
+      entry["node"] = joint.node;
+      entry["times"] = joint.keys.times;
+      entry["rotations"] = Json::array();
+      for (const auto& value : joint.keys.values) entry["rotations"].push_back(json_of(value));
+      entry["derivatives"] = Json::array();
+      for (const auto& value : joint.keys.derivatives)
+        entry["derivatives"].push_back(json_of(value));
+      item["joints"].push_back(entry);
+    }
+    root["corrections"].push_back(item);
+  }
+
+  std::error_code error;
+  if (std::filesystem::exists(file, error)) {
+    auto old = parse_project(file);
+    if (!old)
+      return Error{"something else stands there: " + old.error().what, file.string(),
+                   "save under another name"};
+    keep_unknown(root, *old);
+    if (old->contains("scene")) keep_unknown(root["scene"], (*old)["scene"]);
+    if (old->contains("tasks")) keep_unknown_in_list(root["tasks"], (*old)["tasks"]);
+    if (old->contains("corrections"))
+      keep_unknown_in_list(root["corrections"], (*old)["corrections"]);
+  }
+  // Non-UTF-8 bytes of a name are replaced rather than thrown over.
+  const std::string text = root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return write_file_safely(file, text);
+}
+
+}  // namespace elbowroom

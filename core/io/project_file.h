@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The project file, NAME.elbow: JSON that holds everything a document holds; a person can read it
+// and merge it with git. Paths in it are relative to the file's own folder. Version 1.
+//
+//     {
+//       "version": 1,
+//       "scene": {"character": "ada.glb", "clip": "Walk", "obstacles": ["posts.glb"],
+//                 "attachments": [{"file": "umbrella.glb", "joint": "RightHand",
+//                                  "translation": [x, y, z], "rotation": [x, y, z, w]}]},
+//       "tasks": [{"kind": "correct", "name": "...", "limb": "right_arm", "window": [1.2, 2.05],
+//                  "seed": 7, "alternatives": 1, "clearance": 0, "max_iterations": 20000,
+//                  "max_seconds": 0, "sampling": {"Elbow, flexion": [1.2, 2.4]}}],
+//       "corrections": [{"name": "...", "limb": "right_arm", "window": [1.2, 2.05], "muted": false,
+//                        "made_with": {"seed": 7, ...},
+//                        "joints": [{"joint": "RightUpperArm", "node": 12, "times": [...],
+//                                    "rotations": [[x, y, z, w], ...],
+//                                    "derivatives": [[x, y, z, w], ...]}]}]
+//     }
+//
+// A window that is absent or "auto" is automatic. Keys that this version doesn't know survive a
+// save over the same file, at the top level, in the scene, and in tasks and corrections.
+#pragma once
+
+#include <filesystem>
+
+#include "core/base/result.h"
+#include "core/editing/document.h"
+
+namespace elbowroom {
+
+// Paths in the document are made absolute or relative to the current folder, ready to be opened.
+// Error: not a project, damaged (with the place), or of a newer version than this program knows.
+Result<Document> read_project(const std::filesystem::path& file);
+
+// Writes to a temporary name and renames. Unknown keys of a project that stands there already are
+// carried over.
+Status write_project(const std::filesystem::path& file, const Document& document);
+
+}  // namespace elbowroom
