@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 
 #include "core/planning/curve.h"
@@ -30,16 +31,18 @@ void integrate(const std::vector<double>& knots, Visit&& visit) {
   }
 }
 
-// Cholesky factor of the block first ... last of a banded matrix, in place of its rows; false if it
-// is not positive definite.
-bool factor(const BandMatrix& g, int first, int last, std::vector<std::array<double, 4>>& l) {
-  const int m = last - first + 1;
-  l.assign(static_cast<std::size_t>(m), {});
+// Cholesky factor of the rows and columns listed of a banded matrix (they are banded again, since
+// leaving rows out brings others closer); false if they are not positive definite.
+bool factor(const BandMatrix& g, const std::vector<int>& free,
+            std::vector<std::array<double, 4>>& l) {
+  const int m = static_cast<int>(free.size());
+  const auto index = [&free](int i) { return free[static_cast<std::size_t>(i)]; };
+  l.assign(free.size(), {});
   for (int i = 0; i < m; ++i) {
     auto& row = l[static_cast<std::size_t>(i)];
     for (int j = std::max(0, i - 3); j <= i; ++j) {
       const auto& other = l[static_cast<std::size_t>(j)];
-      double sum = g.at(first + i, first + j);
+      double sum = g.at(index(i), index(j));
       for (int k = std::max({0, i - 3, j - 3}); k < j; ++k) {
         sum -=
             row[static_cast<std::size_t>(k - i + 3)] * other[static_cast<std::size_t>(k - j + 3)];
@@ -130,31 +133,27 @@ std::vector<Dofs> smoothing_spline(const std::vector<double>& knots,
     }
   });
   const BandMatrix g = energy_matrix(knots, {1, 0, std::pow(smoothing_time, 6)});
+  std::vector<int> all(control.size());
+  std::iota(all.begin(), all.end(), 0);
   std::vector<std::array<double, 4>> l;
-  if (!factor(g, 0, g.size() - 1, l)) return {};
+  if (!factor(g, all, l)) return {};
   solve(l, control);
   return control;
 }
 
-std::vector<Dofs> minimizing_step(const BandMatrix& g, const std::vector<Dofs>& d, int first,
-                                  int last, Dofs& gain) {
-  gain = Dofs{};
-  gain.count = d.front().count;
+bool minimize(const BandMatrix& g, const std::vector<int>& free, std::vector<Dofs>& d) {
+  if (free.empty()) return true;
   std::vector<std::array<double, 4>> l;
-  if (!factor(g, first, last, l)) return {};
-  // With the gradient's half r = (G d)_F the step is s = -G_FF⁻¹ r, and E falls by sᵀ G_FF s = -sᵀ
-  // r.
-  std::vector<Dofs> gradient, step;
-  for (int i = first; i <= last; ++i) {
-    gradient.push_back(product(g, d, i));
-    step.push_back(gradient.back());
-    for (int a = 0; a < gain.count; ++a) step.back()[a] = -step.back()[a];
-  }
+  if (!factor(g, free, l)) return false;
+  // With the gradient's half r = (G d)_F the step is -G_FF⁻¹ r.
+  std::vector<Dofs> step;
+  for (const int i : free) step.push_back(product(g, d, i));
   solve(l, step);
-  for (std::size_t i = 0; i < step.size(); ++i) {
-    for (int a = 0; a < gain.count; ++a) gain[a] -= step[i][a] * gradient[i][a];
+  for (std::size_t k = 0; k < free.size(); ++k) {
+    Dofs& row = d[static_cast<std::size_t>(free[k])];
+    for (int a = 0; a < row.count; ++a) row[a] -= step[k][a];
   }
-  return step;
+  return true;
 }
 
 double energy(const BandMatrix& g, const std::vector<Dofs>& d) {

@@ -37,12 +37,9 @@ std::vector<Dofs> smoothing_spline(const std::vector<double>& knots,
                                    const std::function<Dofs(double)>& function, int dofs,
                                    double smoothing_time);
 
-// The step from d that takes control points first ... last, all else fixed, to the minimum of E.
-// `d`: one row a control point. Returns last - first + 1 rows and, in `gain`, the energy the whole
-// step saves for each DOF; a share α of it saves (2α - α²) as much. Empty if G is not definite
-// there.
-std::vector<Dofs> minimizing_step(const BandMatrix& g, const std::vector<Dofs>& d, int first,
-                                  int last, Dofs& gain);
+// Takes the control points listed (ascending) to the minimum of E, all else fixed. `d`: one row a
+// control point. False, and d as it was, if G is not definite there.
+bool minimize(const BandMatrix& g, const std::vector<int>& free, std::vector<Dofs>& d);
 
 double energy(const BandMatrix& g, const std::vector<Dofs>& d);
 

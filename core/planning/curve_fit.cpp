@@ -19,6 +19,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kMostRefinements = 12;
 constexpr double kMostSpans = 50000;
+constexpr std::size_t kMostSuspects = 6;
+constexpr int kMostAttempts = 8;  // in one trial
 
 enum class Followed { yes, no, stopped };
 
@@ -42,21 +44,24 @@ class Fit {
     }
   }
 
-  // A valid curve close to the path; knots are added where there is none.
+  // A valid curve: the smoothest one that is held to the path at as few control points as
+  // collisions and limits ask for. Where holding all of them is not enough, knots are added.
   Followed follow_path() {
     for (;; ++result_.refinements) {
       place_on_path();
+      prepare_energy();
       std::vector<bool> bad(breakpoints_.size() - 1, false);
-      if (!mark_bad_spans(bad)) return Followed::stopped;
-      if (std::none_of(bad.begin(), bad.end(), [](bool b) { return b; })) return Followed::yes;
+      if (hold_to_path(bad)) {
+        result_.energy_first = result_.energy = energy(energy_matrix_, offsets_);
+        return Followed::yes;
+      }
+      if (stop_.stop_requested()) return Followed::stopped;
       if (result_.refinements == kMostRefinements || !refine(bad)) return Followed::no;
     }
   }
 
   // Lowers the energy by valid steps; false on a stop.
   bool fair() {
-    prepare_energy();
-    result_.energy_first = result_.energy = energy(energy_matrix_, offsets_);
     Random random(settings_.seed);
     std::int64_t failures = 0;
     Clock::time_point told = Clock::now();
@@ -213,29 +218,93 @@ class Fit {
     return true;
   }
 
-  // Spans that collide, or that a control point out of bounds acts on. False on a stop.
-  bool mark_bad_spans(std::vector<bool>& bad) {
-    const int n = count();
-    const auto mark = [&](int first, int last) {
-      for (int s = std::max(3, first); s <= std::min(n - 1, last); ++s) {
-        bad[static_cast<std::size_t>(s - 3)] = true;
+  // Minimizes the energy with some control points held to the path: none at first, then one more
+  // wherever the minimum collides or breaks a limit. False, with the spans at fault marked, when
+  // all that act on such a place are held already; or on a stop.
+  bool hold_to_path(std::vector<bool>& bad) {
+    const std::vector<Dofs> on_path = offsets_;
+    const int begin = fixed_at_begin(), end = count() - fixed_at_end();
+    std::vector<bool> held(static_cast<std::size_t>(count()), true);
+    std::fill(held.begin() + begin, held.begin() + end, false);
+    std::vector<int> free;
+    for (;;) {
+      free.clear();
+      for (int i = begin; i < end; ++i) {
+        if (!held[static_cast<std::size_t>(i)]) free.push_back(i);
       }
-    };
-    for (int i = 0; i < n; ++i) {
-      if (!keeps_limits(i)) mark(i, i + 3);
-      if (i + 1 < n && !keeps_speed(i)) mark(i + 1, i + 3);
+      std::vector<Dofs> d = on_path;
+      if (!minimize(energy_matrix_, free, d)) d = on_path;
+      set_offsets(d, begin, end - 1);
+      const Fault fault = find_fault(begin, end - 1);
+      if (fault.none()) {
+        offsets_ = std::move(d);
+        return true;
+      }
+      if (stop_.stop_requested()) return false;
+      const int hold = nearest_free(held, fault);
+      if (hold < 0) {
+        for (int s = std::max(3, fault.first_span); s <= std::min(count() - 1, fault.last_span);
+             ++s) {
+          bad[static_cast<std::size_t>(s - 3)] = true;
+        }
+        return false;
+      }
+      held[static_cast<std::size_t>(hold)] = true;
     }
-    for (int s = 3; s < n; ++s) {
-      if (bad[static_cast<std::size_t>(s - 3)]) continue;
-      double collision = 0;
-      if (!curve_span_free(world_, curve_, s, s, settings_.resolution, {}, stop_, result_.checks,
-                           collision)) {
-        if (std::isnan(collision)) return false;
-        mark(s, s);
-        result_.reason = "the curve collides at " + std::to_string(collision) + " s";
+  }
+
+  // What is wrong with the curve: control points first ... last act on the place at fault, in spans
+  // first_span ... last_span.
+  struct Fault {
+    int first = 0, last = -1;
+    int first_span = 0, last_span = -1;
+    double time = 0;  // of the place
+    bool none() const { return last < first; }
+  };
+
+  // The first thing wrong with control points first ... last and the curve they act on.
+  Fault find_fault(int first, int last) {
+    for (int i = first; i <= last; ++i) {
+      if (!keeps_limits(i)) return {i, i, i, i + 3, greville_abscissa(curve_.knots, i)};
+    }
+    for (int i = first - 1; i <= last; ++i) {
+      if (!keeps_speed(i)) return {i, i + 1, i + 1, i + 3, greville_abscissa(curve_.knots, i)};
+    }
+    double collision = 0;
+    if (curve_span_free(world_, curve_, std::max(3, first), std::min(count() - 1, last + 3),
+                        settings_.resolution, suspects_, stop_, result_.checks, collision)) {
+      return {};
+    }
+    if (std::isnan(collision)) return {first, last, 3, 3, 0};
+    // Where one curve collided the next one is likely to: the last few such times are tried first.
+    const auto known = std::find(suspects_.begin(), suspects_.end(), collision);
+    if (known != suspects_.end()) suspects_.erase(known);
+    suspects_.insert(suspects_.begin(), collision);
+    if (suspects_.size() > kMostSuspects) suspects_.pop_back();
+    const int span = curve_span(curve_.knots, collision);
+    return {span - 3, span, span, span, collision};
+  }
+
+  // Of the control points that act on the fault and are not held, the one nearest to it; or -1.
+  int nearest_free(const std::vector<bool>& held, const Fault& fault) const {
+    int nearest = -1;
+    double distance = 0;
+    for (int i = fault.first; i <= fault.last; ++i) {
+      if (held[static_cast<std::size_t>(i)]) continue;
+      const double d = std::abs(greville_abscissa(curve_.knots, i) - fault.time);
+      if (nearest < 0 || d < distance) {
+        nearest = i;
+        distance = d;
       }
     }
-    return true;
+    return nearest;
+  }
+
+  void set_offsets(const std::vector<Dofs>& d, int first, int last) {
+    for (int i = first; i <= last; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      for (int a = 0; a < limits_.count(); ++a) control(i)[a] = reference_[k][a] + d[k][a];
+    }
   }
 
   // Halves the spans marked and their neighbours; false if none can be halved.
@@ -259,92 +328,90 @@ class Fit {
   void prepare_energy() {
     const double t_a = settings_.acceleration_time, t_j = settings_.jerk_time;
     EnergyWeights weights{1, t_a * t_a * t_a * t_a, t_j * t_j * t_j * t_j * t_j * t_j};
-    std::vector<Dofs> reference;
+    reference_.clear();
     if (query_.reference) {
       // 12 Hz: what a body does is below, the kinks of linear keys are above.
-      reference = smoothing_spline(curve_.knots, query_.reference, limits_.count(),
-                                   1 / (2 * 3.14159265358979323846 * 12));
+      reference_ =
+          smoothing_spline(curve_.knots, query_.reference, limits_.count(), 1 / (2 * kPi * 12));
     }
-    if (reference.empty()) weights.position = 0;
+    if (reference_.empty()) {
+      weights.position = 0;
+      Dofs zero;
+      zero.count = limits_.count();
+      reference_.assign(curve_.control.size(), zero);
+    }
     energy_matrix_ = energy_matrix(curve_.knots, weights);
     offsets_ = curve_.control;
-    for (std::size_t i = 0; i < reference.size(); ++i) {
-      for (int a = 0; a < limits_.count(); ++a) offsets_[i][a] -= reference[i][a];
+    for (std::size_t i = 0; i < offsets_.size(); ++i) {
+      for (int a = 0; a < limits_.count(); ++a) offsets_[i][a] -= reference_[i][a];
     }
   }
 
-  // One trial: a stretch of control points, all DOFs or one, by the whole step to the minimum, a
-  // half or a quarter of it. The first trial takes everything there is.
+  // One trial: a stretch of control points, all DOFs or one, towards the minimum of the energy.
+  // Where that collides, a control point is first held half-way, then where it was, and the others
+  // go on. The first trial takes everything there is.
   bool try_step(Random& random, std::int64_t trial) {
     const int begin = fixed_at_begin();
-    const int free = count() - fixed_at_end() - begin;
-    int first = begin, last = begin + free - 1, only = -1;
+    const int free_count = count() - fixed_at_end() - begin;
+    int first = begin, last = begin + free_count - 1, only = -1;
     if (trial > 0) {
       // Lengths are drawn by magnitude, so that short and long stretches have their turn.
-      const double longest = std::log(static_cast<double>(free));
+      const double longest = std::log(static_cast<double>(free_count));
       const double shortest = std::min(longest, std::log(3.0));
-      const int length = std::clamp(
-          static_cast<int>(std::lround(std::exp(random.uniform(shortest, longest)))), 1, free);
-      first = begin + static_cast<int>(random.below(static_cast<std::uint64_t>(free - length + 1)));
+      const int length =
+          std::clamp(static_cast<int>(std::lround(std::exp(random.uniform(shortest, longest)))), 1,
+                     free_count);
+      first = begin +
+              static_cast<int>(random.below(static_cast<std::uint64_t>(free_count - length + 1)));
       last = first + length - 1;
-      if (random.uniform() < 0.4) {
+      if (random.uniform() < 0.3) {
         only = static_cast<int>(random.below(static_cast<std::uint64_t>(limits_.count())));
       }
     }
-    Dofs gain;
-    std::vector<Dofs> step = minimizing_step(energy_matrix_, offsets_, first, last, gain);
-    if (step.empty()) return false;
-    double whole_gain = 0;
-    for (int a = 0; a < gain.count; ++a) {
-      if (only < 0 || a == only) {
-        whole_gain += gain[a];
-      } else {
-        for (Dofs& s : step) s[a] = 0;
-      }
-    }
-    if (!(whole_gain > 1e-4 * result_.energy) || !(whole_gain > 1e-14)) return false;
-
-    const std::vector<Dofs> before(curve_.control.begin() + first,
-                                   curve_.control.begin() + last + 1);
-    for (const double share : {1.0, 0.5, 0.25}) {
-      for (std::size_t i = 0; i < step.size(); ++i) {
-        for (int a = 0; a < gain.count; ++a) {
-          control(first + static_cast<int>(i))[a] = before[i][a] + share * step[i][a];
+    const std::vector<Dofs> before = curve_.control;
+    std::vector<double> share(static_cast<std::size_t>(count()),
+                              1.0);  // of the step, that is taken
+    std::vector<bool> held(static_cast<std::size_t>(count()), true);
+    std::fill(held.begin() + first, held.begin() + last + 1, false);
+    std::vector<Dofs> whole;
+    for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+      std::vector<Dofs> d = offsets_;
+      std::vector<int> free;
+      for (int i = first; i <= last; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        if (share[k] == 1) {
+          free.push_back(i);
+        } else {
+          for (int a = 0; a < limits_.count(); ++a) d[k][a] += share[k] * (whole[k][a] - d[k][a]);
         }
       }
-      if (bounded(first, last) && collision_free(first, last)) {
-        for (std::size_t i = 0; i < step.size(); ++i) {
-          for (int a = 0; a < gain.count; ++a) {
-            offsets_[static_cast<std::size_t>(first) + i][a] += share * step[i][a];
+      if (free.empty() || !minimize(energy_matrix_, free, d)) break;
+      if (attempt == 0) whole = d;
+      if (only >= 0) {
+        for (int i = first; i <= last; ++i) {
+          const auto k = static_cast<std::size_t>(i);
+          for (int a = 0; a < limits_.count(); ++a) {
+            if (a != only) d[k][a] = offsets_[k][a];
           }
         }
-        result_.energy -= (2 * share - share * share) * whole_gain;
+      }
+      const double e = energy(energy_matrix_, d);
+      if (!(e < result_.energy * (1 - settings_.worthwhile)) || !(e < result_.energy - 1e-14))
+        break;
+      set_offsets(d, first, last);
+      const Fault fault = find_fault(first, last);
+      if (fault.none()) {
+        offsets_ = std::move(d);
+        result_.energy = e;
         return true;
       }
+      curve_.control = before;
       if (stop_.stop_requested()) break;
-    }
-    std::copy(before.begin(), before.end(), curve_.control.begin() + first);
-    return false;
-  }
-
-  bool bounded(int first, int last) {
-    for (int i = first; i <= last; ++i) {
-      if (!keeps_limits(i) || !keeps_speed(i - 1)) return false;
-    }
-    return keeps_speed(last);
-  }
-
-  bool collision_free(int first, int last) {
-    double collision = 0;
-    if (curve_span_free(world_, curve_, std::max(3, first), std::min(count() - 1, last + 3),
-                        settings_.resolution, suspects_, stop_, result_.checks, collision)) {
-      return true;
-    }
-    // Where one curve collided the next one is likely to: the last few such times are tried first.
-    if (!std::isnan(collision) &&
-        std::find(suspects_.begin(), suspects_.end(), collision) == suspects_.end()) {
-      suspects_.insert(suspects_.begin(), collision);
-      if (suspects_.size() > 4) suspects_.pop_back();
+      const int hold = nearest_free(held, fault);
+      if (hold < 0) break;
+      const auto k = static_cast<std::size_t>(hold);
+      share[k] = share[k] == 1 ? 0.5 : 0;
+      held[k] = share[k] == 0;
     }
     return false;
   }
@@ -360,6 +427,7 @@ class Fit {
   std::vector<double> breakpoints_;
   Curve curve_;
   BandMatrix energy_matrix_;
+  std::vector<Dofs> reference_;   // the clip's control points, smoothed; 0 without a clip
   std::vector<Dofs> offsets_;     // control points less those of the reference
   std::vector<double> suspects_;  // times of recent collisions, latest first
 };
