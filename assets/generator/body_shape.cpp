@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+#include "assets/generator/body_shape.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "assets/generator/figure.h"
+#include "assets/generator/implicit.h"
+
+namespace elbowroom::demo {
+
+namespace {
+
+const Vec3 kUp(0, 1, 0);
+const Vec3 kLeft(1, 0, 0);
+
+}  // namespace
+
+// Modelled on the left; the right is its mirror image.
+struct BodyShape::Data {
+  Figure figure = make_figure();
+  Vec3 at(const char* joint) const {
+    return figure.joints[static_cast<std::size_t>(figure.find(joint))].position;
+  }
+
+  Vec3 shoulder = at("LeftUpperArm"), elbow = at("LeftLowerArm"), wrist = at("LeftHand");
+  Vec3 hip = at("LeftUpperLeg"), knee = at("LeftLowerLeg"), ankle = at("LeftFoot");
+  HandFrame hand = left_hand_frame();
+  std::vector<Finger> fingers = left_fingers();
+
+  // Sections along y: half width (x), half depth (z, negated: v = up × left = -z), shift.
+  Loft torso{Vec3(0.0),
+             kUp,
+             kLeft,
+             {{0.800, 0.060, 0.050, 0, 0.004},
+              {0.830, 0.120, 0.086, 0, 0.006},
+              {0.880, 0.161, 0.103, 0, 0.008},
+              {0.930, 0.171, 0.109, 0, 0.012},
+              {0.985, 0.164, 0.104, 0, 0.010},
+              {1.050, 0.146, 0.096, 0, 0.000},
+              {1.100, 0.138, 0.092, 0, -0.004},
+              {1.150, 0.139, 0.093, 0, -0.005},
+              {1.220, 0.151, 0.102, 0, -0.002},
+              {1.290, 0.165, 0.111, 0, 0.004},
+              {1.350, 0.172, 0.108, 0, 0.012},
+              {1.400, 0.160, 0.094, 0, 0.020},
+              {1.440, 0.120, 0.076, 0, 0.026},
+              {1.475, 0.072, 0.058, 0, 0.028},
+              {1.500, 0.050, 0.050, 0, 0.026}},
+             2.3};
+
+  Loft upper_arm = limb(shoulder, elbow,
+                        {{-0.030, 0.046, 0.046},
+                         {0.000, 0.053, 0.053, 0.000, 0.002},
+                         {0.050, 0.0525, 0.052, 0.002, 0.003},
+                         {0.110, 0.0480, 0.049, 0.004, 0.002},
+                         {0.170, 0.0455, 0.0475, 0.004, 0.001},
+                         {0.230, 0.0415, 0.0420},
+                         {0.290, 0.0385, 0.0380},
+                         {0.340, 0.0370, 0.0370}});
+  Loft forearm = limb(elbow, wrist,
+                      {{-0.020, 0.0360, 0.0360},
+                       {0.020, 0.0395, 0.0395, 0.002, 0.000},
+                       {0.060, 0.0410, 0.0400, 0.004, 0.000},
+                       {0.110, 0.0375, 0.0360, 0.002, 0.000},
+                       {0.170, 0.0320, 0.0295},
+                       {0.225, 0.0285, 0.0225},
+                       {0.262, 0.0280, 0.0205}});
+  Loft palm{hand.wrist,
+            hand.along,
+            hand.thumb,
+            {{-0.012, 0.0275, 0.0200},
+             {0.012, 0.0300, 0.0195},
+             {0.035, 0.0365, 0.0185, 0.001},
+             {0.060, 0.0405, 0.0165, 0.001},
+             {0.082, 0.0410, 0.0135, 0.001},
+             {0.094, 0.0370, 0.0100, 0.002}},
+            2.6};
+
+  Loft thigh = limb(hip, knee,
+                    {{-0.060, 0.066, 0.078, 0, 0.004},
+                     {-0.010, 0.080, 0.090, 0, 0.004},
+                     {0.060, 0.0815, 0.0905, 0, 0.000},
+                     {0.140, 0.0790, 0.0860, 0, -0.004},
+                     {0.230, 0.0710, 0.0770, 0, -0.006},
+                     {0.320, 0.0600, 0.0660, 0, -0.006},
+                     {0.390, 0.0530, 0.0575, 0, -0.002},
+                     {0.450, 0.0500, 0.0540}});
+  Loft shank = limb(knee, ankle,
+                    {{-0.030, 0.0500, 0.0530},
+                     {0.010, 0.0500, 0.0525, 0, 0.000},
+                     {0.060, 0.0500, 0.0530, 0, 0.008},
+                     {0.120, 0.0530, 0.0575, 0, 0.016},
+                     {0.190, 0.0490, 0.0530, 0, 0.014},
+                     {0.270, 0.0390, 0.0420, 0, 0.008},
+                     {0.350, 0.0330, 0.0360, 0, 0.002},
+                     {0.405, 0.0335, 0.0370},
+                     {0.440, 0.0340, 0.0380}});
+
+  // The shoe, along its own straight axis, toes a little out.
+  Vec3 shoe_axis = glm::normalize(Vec3(0.10, 0, 1));
+  Loft shoe{Vec3(ankle.x, 0.0, ankle.z),
+            shoe_axis,
+            Vec3(0, 1, 0),
+            // u is up here: half height and its centre make a sole line that runs below the
+            // ground, where the floor plane cuts it flat.
+            {{-0.062, 0.020, 0.014, 0.026},
+             {-0.054, 0.036, 0.026, 0.032},
+             {-0.035, 0.052, 0.034, 0.038},
+             {0.000, 0.060, 0.0365, 0.036},
+             {0.040, 0.056, 0.0375, 0.030},
+             {0.080, 0.046, 0.0430, 0.022},
+             {0.120, 0.038, 0.0475, 0.018},
+             {0.160, 0.032, 0.0450, 0.016},
+             {0.185, 0.026, 0.0370, 0.015},
+             {0.200, 0.018, 0.0250, 0.015},
+             {0.207, 0.008, 0.0120, 0.015}},
+            2.4};
+
+  Bounds arm_bounds, hand_bounds, leg_bounds, head_bounds;
+
+  Data() {
+    for (const Vec3& p : {shoulder, elbow, wrist}) arm_bounds.add(p, 0.06);
+    for (const Finger& f : fingers)
+      for (const Vec3& p : f.points) hand_bounds.add(p, 0.02);
+    hand_bounds.add(wrist, 0.05);
+    for (const Vec3& p : {hip, knee, ankle}) leg_bounds.add(p, 0.10);
+    leg_bounds.add(Vec3(0.12, 0.0, 0.2), 0.06);
+    head_bounds.add(Vec3(0, 1.52, 0), 0.12);
+    head_bounds.add(Vec3(0, 1.66, 0), 0.12);
+  }
+
+  // A loft whose u is to the side of the body (for arms: across, in the frontal plane) and whose v
+  // points ahead (arms) or back (legs).
+  static Loft limb(const Vec3& from, const Vec3& to, std::vector<Section> sections) {
+    const Vec3 axis = glm::normalize(to - from);
+    const Vec3 ahead = glm::normalize(Vec3(0, 0, 1) - axis.z * axis);
+    return Loft(from, axis, glm::cross(ahead, axis) * -1.0, std::move(sections), 2.0);
+  }
+
+  double head(const Vec3& p) const {
+    // Skull, face and jaw of one smooth egg; brow, nose, lips and ears only hinted at.
+    double d = ellipsoid(p, {0, 1.667, -0.006}, {0.0745, 0.083, 0.094});
+    d = smooth_union(d, ellipsoid(p, {0, 1.610, 0.026}, {0.0600, 0.078, 0.068}), 0.035);
+    d = smooth_union(d, ellipsoid(p, {0, 1.553, 0.052}, {0.034, 0.024, 0.034}), 0.040);
+    // Sockets of the eyes.
+    d = smooth_intersection(d, -ellipsoid(p, {0.033, 1.641, 0.108}, {0.023, 0.013, 0.022}), 0.022);
+    // Nose, from the bridge to the tip, and its wings.
+    d = smooth_union(d, tapered_capsule(p, {0, 1.650, 0.088}, {0, 1.606, 0.1035}, 0.0060, 0.0092),
+                     0.014);
+    d = smooth_union(d, ellipsoid(p, {0.0095, 1.602, 0.095}, {0.0065, 0.0060, 0.0085}), 0.010);
+    // Lips.
+    d = smooth_union(d, ellipsoid(p, {0, 1.5775, 0.0885}, {0.021, 0.0052, 0.0075}), 0.010);
+    d = smooth_union(d, ellipsoid(p, {0, 1.5690, 0.0875}, {0.018, 0.0056, 0.0075}), 0.010);
+    // Ears.
+    d = smooth_union(d, ellipsoid(p, {0.0745, 1.628, -0.012}, {0.0075, 0.029, 0.0165}), 0.010);
+    return d;
+  }
+
+  double trunk(const Vec3& p) const {
+    double d = torso(p);
+    // Chest, shoulder blades, seat, the slope from the neck to the shoulder.
+    d = smooth_union(d, ellipsoid(p, {0.078, 1.318, 0.062}, {0.082, 0.062, 0.040}), 0.050);
+    d = smooth_union(d, ellipsoid(p, {0.085, 1.340, -0.098}, {0.070, 0.085, 0.030}), 0.060);
+    d = smooth_union(d, ellipsoid(p, {0.078, 0.905, -0.074}, {0.082, 0.085, 0.062}), 0.050);
+    d = smooth_union(
+        d, tapered_capsule(p, {0.020, 1.490, -0.034}, {0.150, 1.424, -0.020}, 0.036, 0.040), 0.050);
+    d = smooth_union(d, tapered_capsule(p, {0, 1.44, -0.034}, {0, 1.585, -0.012}, 0.060, 0.0535),
+                     0.040);
+    const double far = head_bounds.distance(p);
+    if (far < 0.06 || far < d + 0.06) d = smooth_union(d, head(p), 0.024);
+    return d;
+  }
+
+  double hand_shape(const Vec3& p) const {
+    double palm_distance = palm(p);
+    // Ball of the thumb and heel of the hand.
+    palm_distance = smooth_union(
+        palm_distance,
+        tapered_capsule(p, fingers[0].points[0], fingers[0].points[1], 0.0165, 0.0125), 0.018);
+    palm_distance = smooth_union(palm_distance,
+                                 tapered_capsule(p, hand.point(0.022, -0.022, 0.007),
+                                                 hand.point(0.055, -0.027, 0.004), 0.0130, 0.0120),
+                                 0.014);
+    double d = palm_distance;
+    for (std::size_t f = 0; f < fingers.size(); ++f) {
+      const Finger& finger = fingers[f];
+      double one = 1e9;
+      for (std::size_t i = f == 0 ? 1 : 0; i < 3; ++i)
+        one = smooth_union(one,
+                           tapered_capsule(p, finger.points[i], finger.points[i + 1],
+                                           finger.radius[i], finger.radius[i + 1]),
+                           0.003);
+      d = smooth_union(d, one, f == 0 ? 0.012 : 0.0060);
+    }
+    return d;
+  }
+
+  double arm(const Vec3& p) const {
+    double d = smooth_union(upper_arm(p), forearm(p), 0.020);
+    // The point of the elbow.
+    const double far = hand_bounds.distance(p);
+    if (far < 0.04 || far < d + 0.04) d = smooth_union(d, hand_shape(p), 0.016);
+    return d;
+  }
+
+  double leg(const Vec3& p) const {
+    double d = smooth_union(thigh(p), shank(p), 0.020);
+    // Kneecap.
+    d = smooth_union(d, ellipsoid(p, knee + Vec3(0, 0.006, 0.032), {0.030, 0.038, 0.024}), 0.025);
+    const double cut = smooth_intersection(shoe(p), -p.y, 0.010);
+    return smooth_union(d, cut, 0.022);
+  }
+};
+
+BodyShape::BodyShape() : data_(std::make_unique<Data>()) {}
+BodyShape::~BodyShape() = default;
+
+double BodyShape::operator()(const Vec3& at) const {
+  const Vec3 p(std::abs(at.x), at.y, at.z);
+  const Data& body = *data_;
+  double d = body.trunk(p);
+  const double to_arm = std::min(body.arm_bounds.distance(p), body.hand_bounds.distance(p));
+  if (to_arm < 0.06 || to_arm < d + 0.06) d = smooth_union(d, body.arm(p), 0.045);
+  const double to_leg = body.leg_bounds.distance(p);
+  if (to_leg < 0.06 || to_leg < d + 0.06) d = smooth_union(d, body.leg(p), 0.040);
+  return d;
+}
+
+Vec3 BodyShape::normal(const Vec3& p) const {
+  constexpr double h = 2e-4;
+  const Vec3 g((*this)(p + Vec3(h, 0, 0)) - (*this)(p - Vec3(h, 0, 0)),
+               (*this)(p + Vec3(0, h, 0)) - (*this)(p - Vec3(0, h, 0)),
+               (*this)(p + Vec3(0, 0, h)) - (*this)(p - Vec3(0, 0, h)));
+  const double length = glm::length(g);
+  return length > 1e-12 ? g / length : Vec3(0, 1, 0);
+}
+
+Vec3 BodyShape::project(Vec3 p) const {
+  constexpr double h = 2e-4;
+  for (int i = 0; i < 3; ++i) {
+    const double f = (*this)(p);
+    if (std::abs(f) < 1e-6) break;
+    const Vec3 g = Vec3((*this)(p + Vec3(h, 0, 0)) - f, (*this)(p + Vec3(0, h, 0)) - f,
+                        (*this)(p + Vec3(0, 0, h)) - f) /
+                   h;
+    p -= g * (f / std::max(glm::dot(g, g), 0.1));
+  }
+  return p;
+}
+
+BodyPart BodyShape::part(const Vec3& at) const {
+  const Vec3 p(std::abs(at.x), at.y, at.z);
+  const double trunk = data_->trunk(p), arm = data_->arm(p), leg = data_->leg(p);
+  if (trunk <= arm && trunk <= leg) return BodyPart::trunk;
+  return arm <= leg ? BodyPart::arm : BodyPart::leg;
+}
+
+double BodyShape::edge_length(const Vec3& at) const {
+  const Vec3 p(std::abs(at.x), at.y, at.z);
+  const Data& body = *data_;
+  // Each place asks for a length in a ball and lets it grow outside by a fixed slope.
+  double length = 0.0235;
+  const auto wish = [&](const Vec3& centre, double radius, double fine, double slope) {
+    length = std::min(length, fine + slope * std::max(0.0, glm::length(p - centre) - radius));
+  };
+  for (const Finger& f : body.fingers)
+    for (int i = 1; i < 4; ++i) wish(f.points[i], 0.020, 0.0058, 0.15);
+  wish(body.hand.point(0.05, 0, 0), 0.045, 0.0085, 0.15);
+  wish({0.0, 1.60, 0.095}, 0.050, 0.0072, 0.12);      // face
+  wish({0.075, 1.628, -0.012}, 0.030, 0.0072, 0.12);  // ears
+  wish({0.0, 1.64, 0.0}, 0.10, 0.0135, 0.15);
+  wish(body.elbow, 0.05, 0.0135, 0.15);
+  wish(body.knee, 0.06, 0.0165, 0.15);
+  wish(body.shoulder, 0.08, 0.0175, 0.15);
+  wish(body.hip, 0.10, 0.0185, 0.15);
+  wish({body.ankle.x + 0.01, 0.03, 0.06}, 0.12, 0.0135, 0.15);
+  return length;
+}
+
+}  // namespace elbowroom::demo

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "assets/generator/implicit.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace elbowroom::demo {
+
+double smooth_union(double a, double b, double k) {
+  const double h = std::max(k - std::abs(a - b), 0.0);
+  return std::min(a, b) - h * h / (4.0 * k);
+}
+
+double smooth_intersection(double a, double b, double k) { return -smooth_union(-a, -b, k); }
+
+double tapered_capsule(const Vec3& p, const Vec3& a, const Vec3& b, double ra, double rb) {
+  // The distance to a cone between two spheres: shift the foot of the perpendicular along the axis
+  // by the slope of the side, then measure to the sphere there.
+  const Vec3 ab = b - a;
+  const double length = glm::length(ab);
+  const Vec3 axis = ab / length;
+  const Vec3 ap = p - a;
+  const double along = glm::dot(ap, axis);
+  const double across = std::sqrt(std::max(glm::dot(ap, ap) - along * along, 0.0));
+  const double sine = std::clamp((ra - rb) / length, -0.999, 0.999);
+  const double slope = sine / std::sqrt(1.0 - sine * sine);
+  const double t = std::clamp((along - across * slope) / length, 0.0, 1.0);
+  const double from_along = along - t * length;
+  return std::sqrt(from_along * from_along + across * across) - (ra + t * (rb - ra));
+}
+
+double ellipsoid(const Vec3& p, const Vec3& centre, const Vec3& radii) {
+  const Vec3 q = (p - centre) / radii;
+  const double k0 = glm::length(q);
+  const double k1 = glm::length(q / radii);
+  if (k1 < 1e-9) return -std::min({radii.x, radii.y, radii.z});
+  return k0 * (k0 - 1.0) / k1;
+}
+
+namespace {
+
+// Tangents of a monotone cubic (Fritsch and Carlson 1980 in Butland's harmonic-mean form): a drawn
+// profile stays between its sections and does not overshoot.
+void fill_slopes(const std::vector<Section>& s, double Section::*member,
+                 std::vector<Section>& slopes) {
+  const std::size_t n = s.size();
+  std::vector<double> rise(n - 1);
+  for (std::size_t i = 0; i + 1 < n; ++i)
+    rise[i] = (s[i + 1].*member - s[i].*member) / (s[i + 1].at - s[i].at);
+  slopes.front().*member = rise.front();
+  slopes.back().*member = rise.back();
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    const double a = rise[i - 1], b = rise[i];
+    slopes[i].*member = a * b <= 0 ? 0.0 : 2.0 * a * b / (a + b);
+  }
+}
+
+}  // namespace
+
+Loft::Loft(const Vec3& origin, const Vec3& axis, const Vec3& u, std::vector<Section> sections,
+           double exponent)
+    : origin_(origin),
+      axis_(axis),
+      u_(u),
+      v_(glm::cross(axis, u)),
+      sections_(std::move(sections)),
+      slopes_(sections_.size(), Section{0, 0, 0}),
+      exponent_(exponent) {
+  for (auto member : {&Section::half_u, &Section::half_v, &Section::shift_u, &Section::shift_v})
+    fill_slopes(sections_, member, slopes_);
+}
+
+double Loft::operator()(const Vec3& p) const {
+  const Vec3 d = p - origin_;
+  const double along = glm::dot(d, axis_);
+  const double s = std::clamp(along, sections_.front().at, sections_.back().at);
+  std::size_t i = 0;
+  while (i + 2 < sections_.size() && s > sections_[i + 1].at) ++i;
+  const Section &a = sections_[i], &b = sections_[i + 1];
+  const double h = b.at - a.at;
+  const double t = (s - a.at) / h;
+  const double t2 = t * t, t3 = t2 * t;
+  const auto value = [&](double Section::*m) {
+    return (2 * t3 - 3 * t2 + 1) * (a.*m) + (t3 - 2 * t2 + t) * h * (slopes_[i].*m) +
+           (3 * t2 - 2 * t3) * (b.*m) + (t3 - t2) * h * (slopes_[i + 1].*m);
+  };
+  const double ru = value(&Section::half_u), rv = value(&Section::half_v);
+  const double x = std::abs(glm::dot(d, u_) - value(&Section::shift_u));
+  const double y = std::abs(glm::dot(d, v_) - value(&Section::shift_v));
+  const double qx = x / ru, qy = y / rv;
+  // First-order distance: value over gradient length, of the superellipse's p-norm.
+  double side;
+  if (exponent_ == 2.0) {
+    const double k0 = std::sqrt(qx * qx + qy * qy);
+    const double k1 = std::sqrt(qx * qx / (ru * ru) + qy * qy / (rv * rv));
+    side = k1 < 1e-9 ? -std::min(ru, rv) : k0 * (k0 - 1.0) / k1;
+  } else {
+    const double e = exponent_;
+    const double norm = std::pow(std::pow(qx, e) + std::pow(qy, e), 1.0 / e);
+    if (norm < 1e-6) {
+      side = -std::min(ru, rv);
+    } else {
+      const double gx = std::pow(qx / norm, e - 1.0) / ru, gy = std::pow(qy / norm, e - 1.0) / rv;
+      side = (norm - 1.0) / std::sqrt(gx * gx + gy * gy);
+    }
+  }
+  const double end = std::abs(along - s);
+  if (end <= 0) return side;
+  return side <= 0 ? std::max(end, side) : std::sqrt(side * side + end * end);
+}
+
+void Bounds::add(const Vec3& p, double radius) {
+  low = glm::min(low, p - Vec3(radius));
+  high = glm::max(high, p + Vec3(radius));
+}
+
+double Bounds::distance(const Vec3& p) const {
+  return glm::length(glm::max(glm::max(low - p, p - high), Vec3(0.0)));
+}
+
+}  // namespace elbowroom::demo
