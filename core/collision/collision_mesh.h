@@ -26,19 +26,29 @@ RigidTransform inverse(const RigidTransform& t);
 RigidTransform operator*(const RigidTransform& a_from_b, const RigidTransform& b_from_c);
 Vec3 operator*(const RigidTransform& t, const Vec3& p);
 
+// Whether components with openings have an inside (DESIGN.md, "Contact"). A bowl has none: what
+// lies in it touches nothing. A body part cut out of a skin has: give `capped` for those, and every
+// opening is closed by a fan, which counts for inside and outside but never for contact.
+enum class Openings { open, capped };
+
 class CollisionMesh {
  public:
-  // Error: index out of range, non-finite position. Empty meshes are allowed and touch nothing.
-  // Degenerate triangles are kept: a needle of zero area still touches.
+  // Positions beyond this are refused: squares and cubes of them must stay finite.
+  static constexpr float kLargestCoordinate = 1e15f;
+
+  // Error: index out of range, a position that is not finite or too large. Empty meshes are allowed
+  // and touch nothing. Degenerate triangles are kept: a needle of zero area still touches.
   static Result<CollisionMesh> build(std::span<const glm::vec3> positions,
-                                     std::span<const glm::uvec3> triangles);
+                                     std::span<const glm::uvec3> triangles,
+                                     Openings openings = Openings::open);
   CollisionMesh(CollisionMesh&&) noexcept;
   CollisionMesh& operator=(CollisionMesh&&) noexcept;
   ~CollisionMesh();
 
   // New positions for the same triangles (a deformed skin): boxes are refit and rays see the new
-  // places; topology stays. O(n).
-  void refit(std::span<const glm::vec3> positions);
+  // places; topology stays. O(n). False, and nothing changed, if the number of positions differs
+  // or one of them is not finite. Not beside queries on other threads.
+  bool refit(std::span<const glm::vec3> positions);
 
   std::span<const glm::vec3> positions() const;
   std::span<const glm::uvec3> triangles() const;

@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: MIT
-// Questions about two collision meshes in a relative placement: do they touch, where, how far apart.
+// Questions about two collision meshes in a relative placement: do they touch, where, how far
+// apart.
 //
-// Two triangle surfaces cross if and only if an edge of one crosses a triangle of the other; that is
-// asked of Embree as rays, both ways, for the edges that culling leaves, and confirmed in double
-// (see the .cpp for the rays' known errors). Surfaces at a distance ≤ `distance` are in contact.
-// A closed component that lies wholly inside a closed component of the other mesh is in contact too
-// (parity rays). Pairs of triangles that a filter allows are passed over.
+// Truth is the triangles themselves: those of a as they are, those of b with every vertex placed as
+// `a_from_b * p` in double. At distance 0 two triangles are in contact if they share a point,
+// exactly; else if they are at a distance ≤ `distance`, within 1e-9 of their size. Surfaces at a
+// distance ≤ `distance` are in contact, and so is what lies wholly inside:
+//
+// Containment. A component of one mesh (its triangles hang together) that crosses nothing of an
+// enclosing component of the other mesh and has a vertex inside it, is in contact. Which components
+// enclose is the mesh's to say (Openings). A filter hides it only if it allows every triangle of
+// the contained component against the first triangle of the enclosing one; what find_contacts()
+// lists for a containment are exactly these pairs. What is partly inside through allowed contacts
+// is judged by its contacts alone.
+//
+// All functions: a transform that is not finite says nothing about the pair, so it counts as
+// contact (in_contact true, distance 0, no places). A negative or NaN distance counts as 0. Any
+// number of threads may ask about the same meshes, each with its own cache.
 #pragma once
 
 #include <cstdint>
@@ -38,7 +49,7 @@ struct PairCache {
 
 struct TriangleContact {
   std::uint32_t triangle_a = 0, triangle_b = 0;
-  Vec3 place{0.0};  // in a's frame, on or between the two triangles
+  Vec3 place{0.0};         // in a's frame, on or between the two triangles
   bool contained = false;  // found by parity, not by crossing
 };
 

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: MIT
+#include "core/collision/box_traversal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/collision/box_traversal.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h
+#include <hwy/highway.h>
+
+#ifndef ELBOWROOM_BOX_TRAVERSAL_ONCE
+#define ELBOWROOM_BOX_TRAVERSAL_ONCE
+namespace elbowroom {
+namespace {
+
+struct Box {
+  float center[3], half[3];
+};
+
+// What it takes to bring a box of the other tree into this tree's local frame.
+struct Frame {
+  const BoxTree* tree;
+  float r[3][3], abs_r[3][3];  // this_from_other, [row][column]
+  float t[3];                  // the other's origin
+};
+
+struct Entry {
+  BoxTree::Ref open;     // node of tree `side` whose children are tested
+  BoxTree::Ref against;  // node or triangle of the other tree
+  Box box;               // of `against`, in its own frame
+  float size;            // largest half extent of `box`
+  float bound;           // lower bound of the distance; visit_closest_pairs only
+  int side;
+};
+
+// Every pop pushes at most 16 and goes one level down in one of the trees.
+constexpr int kStack = 2 * BoxTree::kMaxDepth * BoxTree::kWidth + BoxTree::kWidth;
+
+struct Pair {
+  Frame frame[2];
+  double slack;  // more than all rounding of a test, and R's distance from a rotation
+};
+
+void set_frame(Frame& frame, const BoxTree& tree, const Mat3& rotation, const Vec3& origin) {
+  frame.tree = &tree;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      frame.r[i][j] = static_cast<float>(rotation[j][i]);
+      frame.abs_r[i][j] = std::abs(frame.r[i][j]);
+    }
+    frame.t[i] = static_cast<float>(origin[i]);
+  }
+}
+
+// False if spheres around the two meshes are farther apart than `distance`.
+bool set_pair(Pair& pair, const BoxTree& a, const BoxTree& b, const RigidTransform& a_from_b,
+              double distance) {
+  const Vec3 offset = a_from_b * b.origin - a.origin;
+  const double reach = a.radius() + b.radius();
+  const double length = glm::length(offset);
+  // Translations far larger than the meshes carry rounding of their own.
+  const double coarse =
+      glm::length(a_from_b.translation) + glm::length(a.origin) + glm::length(b.origin);
+  const Mat3 gram = glm::transpose(a_from_b.rotation) * a_from_b.rotation;
+  double defect = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      defect = std::max(defect, std::abs(gram[i][j] - (i == j ? 1.0 : 0.0)));
+    }
+  }
+  if (length > (reach + distance) * (1 + 1e-9) + 1e-14 * coarse + 4 * defect * (reach + coarse)) {
+    return false;
+  }
+  const Mat3 back = glm::transpose(a_from_b.rotation);
+  set_frame(pair.frame[0], a, a_from_b.rotation, offset);
+  set_frame(pair.frame[1], b, back, -(back * offset));
+  // A test sums a dozen products of numbers no larger than this; 2^-24 each, times 16.
+  pair.slack =
+      1e-6 * (length + reach) + 1e-14 * coarse + 4 * defect * (length + reach + coarse) + 1e-36;
+  return true;
+}
+
+// The distance as a float not below it. Infinity is a distance too.
+float widened(double distance, double slack) {
+  const double sum = distance + slack;
+  const auto f = static_cast<float>(sum);
+  return static_cast<double>(f) < sum ? std::nextafter(f, std::numeric_limits<float>::infinity())
+                                      : f;
+}
+
+}  // namespace
+}  // namespace elbowroom
+#endif  // ELBOWROOM_BOX_TRAVERSAL_ONCE
+
+HWY_BEFORE_NAMESPACE();
+namespace elbowroom {
+namespace HWY_NAMESPACE {
+namespace {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Lanes = hn::CappedTag<float, BoxTree::kWidth>;
+using Vector = hn::Vec<Lanes>;
+
+// Bit i: the box of child i is not surely farther than `margin` from `box`. With kBound, a lower
+// bound of each child's distance is stored too.
+template <bool kBound>
+HWY_INLINE std::uint32_t overlaps(const BoxTree::Node& node, const Frame& f, const Box& box,
+                                  float margin, float slack, float* bounds) {
+  const Lanes d;
+  float c[3], reach[3];
+  for (int i = 0; i < 3; ++i) {
+    c[i] =
+        f.r[i][0] * box.center[0] + f.r[i][1] * box.center[1] + f.r[i][2] * box.center[2] + f.t[i];
+    reach[i] =
+        f.abs_r[i][0] * box.half[0] + f.abs_r[i][1] * box.half[1] + f.abs_r[i][2] * box.half[2];
+  }
+  std::uint32_t bits = 0;
+  const int step = static_cast<int>(hn::Lanes(d));
+  for (int first = 0; first < node.count; first += step) {
+    Vector dist[3], half[3], gap[3];
+    for (int i = 0; i < 3; ++i) {
+      dist[i] = hn::Sub(hn::Load(d, node.center[i] + first), hn::Set(d, c[i]));
+      half[i] = hn::Load(d, node.half[i] + first);
+      gap[i] = hn::Sub(hn::Abs(dist[i]), hn::Add(half[i], hn::Set(d, reach[i])));
+    }
+    const Vector limit = hn::Set(d, margin);
+    // A separating axis must show itself: comparisons with NaN keep the pair.
+    auto apart = hn::Gt(hn::Max(hn::Max(gap[0], gap[1]), gap[2]), limit);
+    if (!kBound && hn::AllTrue(d, apart)) continue;
+    Vector other_gap[3];
+    for (int j = 0; j < 3; ++j) {
+      const Vector along = hn::Add(
+          hn::Add(hn::Mul(dist[0], hn::Set(d, f.r[0][j])), hn::Mul(dist[1], hn::Set(d, f.r[1][j]))),
+          hn::Mul(dist[2], hn::Set(d, f.r[2][j])));
+      const Vector span = hn::Add(hn::Add(hn::Mul(half[0], hn::Set(d, f.abs_r[0][j])),
+                                          hn::Mul(half[1], hn::Set(d, f.abs_r[1][j]))),
+                                  hn::Mul(half[2], hn::Set(d, f.abs_r[2][j])));
+      other_gap[j] = hn::Sub(hn::Abs(along), hn::Add(span, hn::Set(d, box.half[j])));
+    }
+    apart =
+        hn::Or(apart, hn::Gt(hn::Max(hn::Max(other_gap[0], other_gap[1]), other_gap[2]), limit));
+    if constexpr (kBound) {
+      const Vector zero = hn::Zero(d);
+      Vector square[2] = {zero, zero};
+      for (int i = 0; i < 3; ++i) {
+        const Vector g = hn::Max(gap[i], zero), h = hn::Max(other_gap[i], zero);
+        square[0] = hn::Add(square[0], hn::Mul(g, g));
+        square[1] = hn::Add(square[1], hn::Mul(h, h));
+      }
+      const Vector bound = hn::Sub(hn::Sqrt(hn::Max(square[0], square[1])), hn::Set(d, slack));
+      hn::Store(bound, d, bounds + first);
+      apart = hn::Or(apart, hn::Gt(bound, limit));
+    } else {
+      if (hn::AllTrue(d, apart)) continue;
+      for (int i = 0; i < 3; ++i) {
+        const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
+        for (int j = 0; j < 3; ++j) {
+          const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+          const Vector along = hn::Sub(hn::Mul(dist[i2], hn::Set(d, f.r[i1][j])),
+                                       hn::Mul(dist[i1], hn::Set(d, f.r[i2][j])));
+          const float constant = box.half[j1] * f.abs_r[i][j2] + box.half[j2] * f.abs_r[i][j1];
+          const Vector span = hn::Add(hn::Add(hn::Mul(half[i1], hn::Set(d, f.abs_r[i2][j])),
+                                              hn::Mul(half[i2], hn::Set(d, f.abs_r[i1][j]))),
+                                      hn::Set(d, constant));
+          // The axis is no longer than 1, so the whole margin is more than enough.
+          apart = hn::Or(apart, hn::Gt(hn::Sub(hn::Abs(along), span), limit));
+        }
+      }
+    }
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, hn::Not(apart), bytes);
+    bits |= (static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8)
+            << first;
+  }
+  return bits & ((1u << node.count) - 1u);
+}
+
+HWY_INLINE void root_entry(const Pair& pair, Entry& entry) {
+  const BoxTree &a = *pair.frame[0].tree, &b = *pair.frame[1].tree;
+  const float size_a = std::max({a.root_half[0], a.root_half[1], a.root_half[2]});
+  const float size_b = std::max({b.root_half[0], b.root_half[1], b.root_half[2]});
+  entry.side = size_a >= size_b ? 0 : 1;
+  const BoxTree& other = entry.side == 0 ? b : a;
+  entry.open = 0;
+  entry.against = 0;
+  for (int k = 0; k < 3; ++k) {
+    entry.box.center[k] = other.root_center[k];
+    entry.box.half[k] = other.root_half[k];
+  }
+  entry.size = entry.side == 0 ? size_b : size_a;
+  entry.bound = 0;
+}
+
+HWY_INLINE void child_box(const BoxTree::Node& node, int i, Box& box) {
+  for (int k = 0; k < 3; ++k) {
+    box.center[k] = node.center[k][i];
+    box.half[k] = node.half[k][i];
+  }
+}
+
+// The next test for child i of `node` against what `from` holds.
+HWY_INLINE void descend(const BoxTree::Node& node, int i, const Entry& from, Entry& to) {
+  const BoxTree::Ref child = node.child[i];
+  // Open the larger of the two; a triangle cannot be opened.
+  if (BoxTree::is_triangle(from.against) ||
+      (!BoxTree::is_triangle(child) && node.size[i] >= from.size)) {
+    to.open = child;
+    to.against = from.against;
+    to.box = from.box;
+    to.size = from.size;
+    to.side = from.side;
+  } else {
+    to.open = from.against;
+    to.against = child;
+    child_box(node, i, to.box);
+    to.size = node.size[i];
+    to.side = 1 - from.side;
+  }
+}
+
+bool VisitClose(const Pair& pair, double distance, PairVisitor visitor, void* context) {
+  const float margin = widened(distance, pair.slack);
+  Entry stack[kStack];
+  int count = 1;
+  root_entry(pair, stack[0]);
+  while (count > 0) {
+    const Entry entry = stack[--count];
+    const Frame& frame = pair.frame[entry.side];
+    const BoxTree::Node& node = frame.tree->nodes[static_cast<std::size_t>(entry.open)];
+    std::uint32_t bits = overlaps<false>(node, frame, entry.box, margin, 0.0f, nullptr);
+    std::uint32_t many[BoxTree::kWidth];
+    int leaves = 0;
+    const bool against_triangle = BoxTree::is_triangle(entry.against);
+    while (bits != 0) {
+      const int i = __builtin_ctz(bits);
+      bits &= bits - 1;
+      if (against_triangle && BoxTree::is_triangle(node.child[i])) {
+        many[leaves++] = BoxTree::triangle_of(node.child[i]);
+      } else {
+        descend(node, i, entry, stack[count++]);
+      }
+    }
+    if (leaves > 0 &&
+        visitor(context, BoxTree::triangle_of(entry.against), many, leaves, entry.side == 1)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool VisitClosest(const Pair& pair, const double* distance, PairVisitor visitor, void* context) {
+  const float slack = widened(0, pair.slack);
+  Entry stack[kStack];
+  int count = 1;
+  root_entry(pair, stack[0]);
+  while (count > 0) {
+    const Entry entry = stack[--count];
+    const float margin = widened(*distance, pair.slack);
+    if (entry.bound > margin) continue;
+    const Frame& frame = pair.frame[entry.side];
+    const BoxTree::Node& node = frame.tree->nodes[static_cast<std::size_t>(entry.open)];
+    alignas(64) float bounds[BoxTree::kWidth];
+    std::uint32_t bits = overlaps<true>(node, frame, entry.box, margin, slack, bounds);
+    const bool against_triangle = BoxTree::is_triangle(entry.against);
+    // Nearest first: leaves are visited in that order, entries pushed so that the nearest is on
+    // top.
+    int order[BoxTree::kWidth];
+    int n = 0;
+    while (bits != 0) {
+      const int i = __builtin_ctz(bits);
+      bits &= bits - 1;
+      int at = n++;
+      while (at > 0 && bounds[order[at - 1]] > bounds[i]) {
+        order[at] = order[at - 1];
+        --at;
+      }
+      order[at] = i;
+    }
+    if (against_triangle) {
+      for (int k = 0; k < n; ++k) {
+        const BoxTree::Ref child = node.child[order[k]];
+        if (!BoxTree::is_triangle(child)) continue;
+        if (bounds[order[k]] > widened(*distance, pair.slack)) break;
+        const std::uint32_t many = BoxTree::triangle_of(child);
+        if (visitor(context, BoxTree::triangle_of(entry.against), &many, 1, entry.side == 1)) {
+          return true;
+        }
+      }
+    }
+    for (int k = n; k-- > 0;) {
+      if (against_triangle && BoxTree::is_triangle(node.child[order[k]])) continue;
+      descend(node, order[k], entry, stack[count]);
+      stack[count++].bound = bounds[order[k]];
+    }
+  }
+  return false;
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace elbowroom
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace elbowroom {
+
+HWY_EXPORT(VisitClose);
+HWY_EXPORT(VisitClosest);
+
+bool is_finite(const RigidTransform& t) {
+  for (int i = 0; i < 3; ++i) {
+    if (!std::isfinite(t.translation[i])) return false;
+    for (int j = 0; j < 3; ++j) {
+      if (!std::isfinite(t.rotation[i][j])) return false;
+    }
+  }
+  return true;
+}
+
+bool visit_close_pairs(const BoxTree& a, const BoxTree& b, const RigidTransform& a_from_b,
+                       double distance, PairVisitor visitor, void* context) {
+  Pair pair;
+  if (a.empty() || b.empty() || !set_pair(pair, a, b, a_from_b, distance)) return false;
+  return HWY_DYNAMIC_DISPATCH(VisitClose)(pair, distance, visitor, context);
+}
+
+bool visit_closest_pairs(const BoxTree& a, const BoxTree& b, const RigidTransform& a_from_b,
+                         const double* distance, PairVisitor visitor, void* context) {
+  Pair pair;
+  if (a.empty() || b.empty() || !set_pair(pair, a, b, a_from_b, *distance)) return false;
+  return HWY_DYNAMIC_DISPATCH(VisitClosest)(pair, distance, visitor, context);
+}
+
+}  // namespace elbowroom
+#endif  // HWY_ONCE

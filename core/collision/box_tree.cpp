@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+#include "core/collision/box_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace elbowroom {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+struct Bounds {
+  glm::vec3 low{kInfinity}, high{-kInfinity};
+  void add(const Bounds& b) {
+    low = glm::min(low, b.low);
+    high = glm::max(high, b.high);
+  }
+  float area() const {
+    const glm::vec3 d = high - low;
+    return d.x * d.y + d.y * d.z + d.z * d.x;
+  }
+};
+
+float down(double x) {
+  const float f = static_cast<float>(x);
+  return static_cast<double>(f) > x ? std::nextafter(f, -kInfinity) : f;
+}
+float up(double x) {
+  const float f = static_cast<float>(x);
+  return static_cast<double>(f) < x ? std::nextafter(f, kInfinity) : f;
+}
+
+// The triangle's box relative to the origin, rounded outwards.
+Bounds triangle_bounds(const Vec3& origin, std::span<const glm::vec3> positions,
+                       const glm::uvec3& t) {
+  const glm::vec3 &a = positions[t.x], &b = positions[t.y], &c = positions[t.z];
+  Bounds bounds;
+  for (int k = 0; k < 3; ++k) {
+    bounds.low[k] = down(static_cast<double>(std::min({a[k], b[k], c[k]})) - origin[k]);
+    bounds.high[k] = up(static_cast<double>(std::max({a[k], b[k], c[k]})) - origin[k]);
+  }
+  return bounds;
+}
+
+void set_center_half(const glm::vec3& low, const glm::vec3& high, float* center, float* half,
+                     std::size_t stride) {
+  for (int k = 0; k < 3; ++k) {
+    const std::size_t at = static_cast<std::size_t>(k) * stride;
+    const double lo = low[k], hi = high[k];
+    const float c = static_cast<float>(0.5 * (lo + hi));
+    center[at] = c;
+    half[at] = up(std::max(hi - static_cast<double>(c), static_cast<double>(c) - lo));
+  }
+}
+
+void set_slot(BoxTree::Node& node, int slot, const glm::vec3& low, const glm::vec3& high) {
+  set_center_half(low, high, &node.center[0][slot], &node.half[0][slot], BoxTree::kWidth);
+  node.size[slot] = std::max({node.half[0][slot], node.half[1][slot], node.half[2][slot]});
+}
+
+void place_origin(BoxTree& tree, std::span<const glm::vec3> positions,
+                  std::span<const glm::uvec3> triangles) {
+  Vec3 low(std::numeric_limits<double>::infinity()), high(-low);
+  for (const glm::uvec3& t : triangles) {
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 p(positions[t[i]]);
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    }
+  }
+  tree.origin = 0.5 * (low + high);
+  tree.lower = low - tree.origin;
+  tree.upper = high - tree.origin;
+}
+
+class Builder {
+ public:
+  Builder(BoxTree& tree, std::vector<Bounds> bounds) : tree_(tree), bounds_(std::move(bounds)) {
+    order_.resize(bounds_.size());
+    std::iota(order_.begin(), order_.end(), 0u);
+  }
+
+  void run() { make_node(0, order_.size(), 0); }
+
+ private:
+  struct Part {
+    std::size_t begin, end;
+    float cost;  // what splitting it promises: area × triangles
+  };
+
+  float center(std::uint32_t triangle, int axis) const {
+    const Bounds& b = bounds_[triangle];
+    return 0.5f * b.low[axis] + 0.5f * b.high[axis];
+  }
+
+  Part part(std::size_t begin, std::size_t end) const {
+    Bounds all;
+    for (std::size_t i = begin; i < end; ++i) all.add(bounds_[order_[i]]);
+    return {begin, end, all.area() * static_cast<float>(end - begin)};
+  }
+
+  // Halves at the median of the longest axis of the centres: for deep or hopeless parts.
+  std::size_t split_at_median(std::size_t begin, std::size_t end, int axis) {
+    const std::size_t middle = begin + (end - begin) / 2;
+    std::nth_element(order_.begin() + static_cast<std::ptrdiff_t>(begin),
+                     order_.begin() + static_cast<std::ptrdiff_t>(middle),
+                     order_.begin() + static_cast<std::ptrdiff_t>(end),
+                     [&](std::uint32_t a, std::uint32_t b) {
+                       const float ca = center(a, axis), cb = center(b, axis);
+                       return ca != cb ? ca < cb : a < b;
+                     });
+    return middle;
+  }
+
+  // Surface area heuristic over 16 bins of the best axis.
+  std::size_t split(std::size_t begin, std::size_t end, int depth) {
+    glm::vec3 low(kInfinity), high(-kInfinity);
+    for (std::size_t i = begin; i < end; ++i) {
+      for (int k = 0; k < 3; ++k) {
+        low[k] = std::min(low[k], center(order_[i], k));
+        high[k] = std::max(high[k], center(order_[i], k));
+      }
+    }
+    const glm::vec3 extent = high - low;
+    int longest = 0;
+    for (int k = 1; k < 3; ++k) {
+      if (extent[k] > extent[longest]) longest = k;
+    }
+    // Below 12 wide levels only halving bounds the depth.
+    if (depth >= 12 || !(extent[longest] > 0)) return split_at_median(begin, end, longest);
+
+    constexpr int kBins = 16;
+    float best_cost = kInfinity;
+    int best_axis = -1, best_bin = 0;
+    const auto bin_of = [&](std::uint32_t triangle, int axis) {
+      const float u = (center(triangle, axis) - low[axis]) / extent[axis];
+      return std::clamp(static_cast<int>(u * kBins), 0, kBins - 1);
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(extent[axis] > 0)) continue;
+      std::array<Bounds, kBins> bin;
+      std::array<std::size_t, kBins> count{};
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto b = static_cast<std::size_t>(bin_of(order_[i], axis));
+        bin[b].add(bounds_[order_[i]]);
+        ++count[b];
+      }
+      std::array<float, kBins> right{};
+      Bounds all;
+      std::size_t n = 0;
+      for (std::size_t b = kBins; b-- > 1;) {
+        all.add(bin[b]);
+        n += count[b];
+        right[b] = n ? all.area() * static_cast<float>(n) : 0.0f;
+      }
+      all = Bounds();
+      n = 0;
+      for (std::size_t b = 0; b + 1 < kBins; ++b) {
+        all.add(bin[b]);
+        n += count[b];
+        if (n == 0 || n == end - begin) continue;
+        const float cost = all.area() * static_cast<float>(n) + right[b + 1];
+        if (cost < best_cost) {
+          best_cost = cost;
+          best_axis = axis;
+          best_bin = static_cast<int>(b);
+        }
+      }
+    }
+    if (best_axis < 0) return split_at_median(begin, end, longest);
+    const auto middle =
+        std::stable_partition(order_.begin() + static_cast<std::ptrdiff_t>(begin),
+                              order_.begin() + static_cast<std::ptrdiff_t>(end),
+                              [&](std::uint32_t t) { return bin_of(t, best_axis) <= best_bin; });
+    return static_cast<std::size_t>(middle - order_.begin());
+  }
+
+  BoxTree::Ref make_node(std::size_t begin, std::size_t end, int depth) {
+    const std::size_t index = tree_.nodes.size();
+    tree_.nodes.emplace_back();
+    std::vector<Part> parts = {part(begin, end)};
+    while (parts.size() < BoxTree::kWidth) {
+      // Parts that fit one leaf node are split last, so that leaf nodes come out full.
+      std::size_t pick = parts.size();
+      bool pick_large = false;
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        const std::size_t n = parts[i].end - parts[i].begin;
+        if (n < 2) continue;
+        const bool large = n > BoxTree::kWidth;
+        if (pick == parts.size() || (large && !pick_large) ||
+            (large == pick_large && parts[i].cost > parts[pick].cost)) {
+          pick = i;
+          pick_large = large;
+        }
+      }
+      if (pick == parts.size()) break;
+      if (!pick_large && end - begin > BoxTree::kWidth) break;
+      const Part whole = parts[pick];
+      const std::size_t middle = split(whole.begin, whole.end, depth);
+      parts[pick] = part(whole.begin, middle);
+      parts.insert(parts.begin() + static_cast<std::ptrdiff_t>(pick) + 1, part(middle, whole.end));
+    }
+    tree_.nodes[index].count = static_cast<std::int32_t>(parts.size());
+    for (std::size_t i = 0; i < BoxTree::kWidth; ++i) {
+      BoxTree::Ref ref = 0;
+      if (i < parts.size()) {
+        ref = parts[i].end - parts[i].begin == 1
+                  ? ~static_cast<BoxTree::Ref>(order_[parts[i].begin])
+                  : make_node(parts[i].begin, parts[i].end, depth + 1);
+      }
+      tree_.nodes[index].child[i] = ref;
+    }
+    return static_cast<BoxTree::Ref>(index);
+  }
+
+  BoxTree& tree_;
+  std::vector<Bounds> bounds_;
+  std::vector<std::uint32_t> order_;
+};
+
+}  // namespace
+
+BoxTree build_box_tree(std::span<const glm::vec3> positions,
+                       std::span<const glm::uvec3> triangles) {
+  BoxTree tree;
+  if (triangles.empty()) return tree;
+  place_origin(tree, positions, triangles);
+  std::vector<Bounds> bounds(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    bounds[i] = triangle_bounds(tree.origin, positions, triangles[i]);
+  }
+  Builder(tree, std::move(bounds)).run();
+  tree.nodes.shrink_to_fit();
+  tree.low.resize(tree.nodes.size());
+  tree.high.resize(tree.nodes.size());
+  refit_box_tree(tree, positions, triangles);
+  return tree;
+}
+
+void refit_box_tree(BoxTree& tree, std::span<const glm::vec3> positions,
+                    std::span<const glm::uvec3> triangles) {
+  if (tree.empty()) return;
+  place_origin(tree, positions, triangles);
+  for (std::size_t n = tree.nodes.size(); n-- > 0;) {
+    BoxTree::Node& node = tree.nodes[n];
+    Bounds all;
+    for (int i = 0; i < BoxTree::kWidth; ++i) {
+      if (i >= node.count) {
+        for (int k = 0; k < 3; ++k) {
+          node.center[k][i] = 0;
+          node.half[k][i] = -1e30f;
+        }
+        node.size[i] = 0;
+        continue;
+      }
+      const BoxTree::Ref ref = node.child[i];
+      Bounds b;
+      if (BoxTree::is_triangle(ref)) {
+        b = triangle_bounds(tree.origin, positions, triangles[BoxTree::triangle_of(ref)]);
+      } else {
+        b.low = tree.low[static_cast<std::size_t>(ref)];
+        b.high = tree.high[static_cast<std::size_t>(ref)];
+      }
+      set_slot(node, i, b.low, b.high);
+      all.add(b);
+    }
+    tree.low[n] = all.low;
+    tree.high[n] = all.high;
+  }
+  set_center_half(tree.low[0], tree.high[0], tree.root_center, tree.root_half, 1);
+}
+
+}  // namespace elbowroom

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// A wide tree of axis-aligned boxes over the triangles of one mesh: 16 boxes a node, in float,
+// stored as centres and half extents so that 16 of them meet one box of another tree at once.
+//
+// Coordinates are relative to `origin` (the middle of the mesh), so that meshes far from the origin
+// lose nothing; boxes are rounded outwards, so a box always holds its triangles. Boxes are in the
+// mesh's own frame and its units. Memory: about 40 bytes a triangle.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "core/base/math.h"
+
+namespace elbowroom {
+
+struct BoxTree {
+  static constexpr int kWidth = 16;
+  // No path from the root is longer, so traversals of two trees get by with a fixed stack.
+  static constexpr int kMaxDepth = 28;
+
+  // Child references: a node's index, or the bitwise complement of a triangle's.
+  using Ref = std::int32_t;
+  static constexpr bool is_triangle(Ref ref) { return ref < 0; }
+  static constexpr std::uint32_t triangle_of(Ref ref) { return static_cast<std::uint32_t>(~ref); }
+
+  struct alignas(64) Node {
+    float center[3][kWidth];
+    float half[3][kWidth];  // −1e30 in unused slots: apart from everything
+    Ref child[kWidth];      // the used ones come first
+    float size[kWidth];     // largest half extent: the larger of two boxes is opened first
+    std::int32_t count = 0;
+  };
+
+  Vec3 origin{0.0};
+  Vec3 lower{0.0}, upper{0.0};  // of all triangles, relative to origin, exact
+  std::vector<Node> nodes;      // root first, children after their parents; empty without triangles
+  float root_center[3] = {0, 0, 0};
+  float root_half[3] = {0, 0, 0};
+  std::vector<glm::vec3> low, high;  // of each node; kept for refit
+
+  bool empty() const { return nodes.empty(); }
+  double radius() const { return 0.5 * glm::length(upper - lower); }
+};
+
+// O(n log n); deterministic.
+BoxTree build_box_tree(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles);
+
+// The same tree around new positions of the same triangles. O(n), allocates nothing.
+void refit_box_tree(BoxTree& tree, std::span<const glm::vec3> positions,
+                    std::span<const glm::uvec3> triangles);
+
+}  // namespace elbowroom

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#include "core/collision/mesh_pair.h"
+
+#include <algorithm>
+
+#include "core/collision/box_traversal.h"
+#include "core/collision/containment.h"
+#include "core/collision/mesh_data.h"
+
+namespace elbowroom {
+namespace {
+
+using Data = CollisionMesh::Data;
+
+struct Query {
+  const Data& a;
+  const Data& b;
+  const RigidTransform& a_from_b;
+  double distance;
+  const PatchFilter& filter;
+
+  TrianglePoints triangle_a(std::uint32_t t) const { return a.triangle(t); }
+  TrianglePoints triangle_b(std::uint32_t t) const {
+    const TrianglePoints local = b.triangle(t);
+    return {a_from_b * local[0], a_from_b * local[1], a_from_b * local[2]};
+  }
+};
+
+// Looks for the first contact.
+struct Search {
+  const Query& query;
+  PairCache* cache;
+};
+
+bool visit_search(void* context, std::uint32_t one, const std::uint32_t* many, int count,
+                  bool one_is_a) {
+  const Search& search = *static_cast<Search*>(context);
+  const Query& q = search.query;
+  const TrianglePoints first = one_is_a ? q.triangle_a(one) : q.triangle_b(one);
+  for (int i = 0; i < count; ++i) {
+    const std::uint32_t ta = one_is_a ? one : many[i], tb = one_is_a ? many[i] : one;
+    if (q.filter.allows(ta, tb)) continue;
+    const bool touch = one_is_a ? triangles_touch(first, q.triangle_b(tb), q.distance)
+                                : triangles_touch(q.triangle_a(ta), first, q.distance);
+    if (!touch) continue;
+    if (search.cache) *search.cache = {ta, tb, true};
+    return true;
+  }
+  return false;
+}
+
+// Collects all contacts.
+struct Collection {
+  const Query& query;
+  std::vector<TriangleContact>& out;
+};
+
+bool visit_collection(void* context, std::uint32_t one, const std::uint32_t* many, int count,
+                      bool one_is_a) {
+  Collection& collection = *static_cast<Collection*>(context);
+  const Query& q = collection.query;
+  for (int i = 0; i < count; ++i) {
+    const std::uint32_t ta = one_is_a ? one : many[i], tb = one_is_a ? many[i] : one;
+    if (q.filter.allows(ta, tb)) continue;
+    const TrianglePoints pa = q.triangle_a(ta), pb = q.triangle_b(tb);
+    if (!triangles_touch(pa, pb, q.distance)) continue;
+    TriangleContact contact;
+    contact.triangle_a = ta;
+    contact.triangle_b = tb;
+    if (triangles_intersect(pa, pb)) {
+      contact.place = intersection_point(pa, pb);
+    } else {
+      const ClosestPoints closest = closest_points(pa, pb);
+      contact.place = 0.5 * (closest.on_a + closest.on_b);
+    }
+    collection.out.push_back(contact);
+  }
+  return false;
+}
+
+// Do two components cross, allowed or not?
+struct Crossing {
+  const Query& query;
+  std::uint32_t component_a, component_b;
+};
+
+bool visit_crossing(void* context, std::uint32_t one, const std::uint32_t* many, int count,
+                    bool one_is_a) {
+  const Crossing& crossing = *static_cast<Crossing*>(context);
+  const Query& q = crossing.query;
+  for (int i = 0; i < count; ++i) {
+    const std::uint32_t ta = one_is_a ? one : many[i], tb = one_is_a ? many[i] : one;
+    if (q.a.topology.component[ta] != crossing.component_a ||
+        q.b.topology.component[tb] != crossing.component_b) {
+      continue;
+    }
+    if (triangles_intersect(q.triangle_a(ta), q.triangle_b(tb))) return true;
+  }
+  return false;
+}
+
+bool components_cross(const Query& q, std::uint32_t component_a, std::uint32_t component_b) {
+  Crossing crossing{q, component_a, component_b};
+  return visit_close_pairs(q.a.tree, q.b.tree, q.a_from_b, 0.0, visit_crossing, &crossing);
+}
+
+struct Containment {
+  std::uint32_t inner, outer;  // components
+  Vec3 place;                  // a vertex of the inner one, in the outer mesh's frame
+};
+
+bool inside_box(const Vec3& p, const glm::vec3& low, const glm::vec3& high) {
+  for (int k = 0; k < 3; ++k) {
+    if (!(p[k] >= static_cast<double>(low[k]) && p[k] <= static_cast<double>(high[k])))
+      return false;
+  }
+  return true;
+}
+
+// Components of `inner` with a vertex inside a component of `outer` whose box holds them. Boxes
+// settle nearly all; the rest is asked with rays.
+void find_containments(const Data& inner, const Data& outer, const RigidTransform& outer_from_inner,
+                       std::vector<Containment>& out) {
+  out.clear();
+  if (!outer.can_enclose) return;
+  std::vector<Vec3> points;
+  std::vector<std::uint32_t> component_of;
+  const glm::vec3 *low = nullptr, *high = nullptr;
+  const auto held = [&](const ComponentPlace& place) {
+    return std::all_of(std::begin(place.extreme), std::end(place.extreme), [&](std::uint32_t v) {
+      return inside_box(outer_from_inner * Vec3(inner.positions[v]), *low, *high);
+    });
+  };
+  for (std::uint32_t c = 0; c < inner.places.size(); ++c) {
+    low = &outer.low;
+    high = &outer.high;
+    if (!held(inner.places[c])) continue;
+    for (std::uint32_t o = 0; o < outer.places.size(); ++o) {
+      if (!outer.topology.components[o].encloses) continue;
+      low = &outer.places[o].low;
+      high = &outer.places[o].high;
+      if (!held(inner.places[c])) continue;
+      points.push_back(outer_from_inner * Vec3(inner.positions[inner.places[c].extreme[0]]));
+      component_of.push_back(c);
+      break;
+    }
+  }
+  if (points.empty()) return;
+  std::vector<Enclosure> enclosures;
+  find_enclosures(outer, points, enclosures);
+  for (const Enclosure& e : enclosures) {
+    const std::uint32_t c = component_of[e.point];
+    low = &outer.places[e.component].low;
+    high = &outer.places[e.component].high;
+    if (held(inner.places[c])) out.push_back({c, e.component, points[e.point]});
+  }
+}
+
+// Calls `found(component of a, component of b, a's is the inner one, place in a's frame)` for each
+// containment that no crossing and no filter takes back, until it returns true.
+template <typename Found>
+bool for_containments(const Query& q, bool surfaces_may_cross, const Found& found) {
+  if (!q.a.can_enclose && !q.b.can_enclose) return false;
+  std::vector<Containment> containments;
+  for (const bool a_is_inner : {true, false}) {
+    const Data& inner = a_is_inner ? q.a : q.b;
+    const Data& outer = a_is_inner ? q.b : q.a;
+    const RigidTransform to_outer = a_is_inner ? inverse(q.a_from_b) : q.a_from_b;
+    find_containments(inner, outer, to_outer, containments);
+    for (const Containment& c : containments) {
+      const std::uint32_t ca = a_is_inner ? c.inner : c.outer, cb = a_is_inner ? c.outer : c.inner;
+      if (surfaces_may_cross && components_cross(q, ca, cb)) continue;
+      if (q.filter.allowed) {
+        const std::uint32_t first = outer.topology.components[c.outer].first_triangle;
+        bool all = true;
+        for (std::uint32_t t = 0; t < inner.triangles.size() && all; ++t) {
+          if (inner.topology.component[t] != c.inner) continue;
+          all = a_is_inner ? q.filter.allows(t, first) : q.filter.allows(first, t);
+        }
+        if (all) continue;
+      }
+      if (found(ca, cb, a_is_inner, a_is_inner ? q.a_from_b * c.place : c.place)) return true;
+    }
+  }
+  return false;
+}
+
+double usable_distance(double distance) { return distance > 0 ? distance : 0.0; }
+
+}  // namespace
+
+bool in_contact(const CollisionMesh& a, const CollisionMesh& b, const RigidTransform& a_from_b,
+                double distance, const PatchFilter& filter, PairCache* cache) {
+  const Query query{a.data(), b.data(), a_from_b, usable_distance(distance), filter};
+  if (query.a.tree.empty() || query.b.tree.empty()) return false;
+  if (!is_finite(a_from_b)) return true;
+  if (cache && cache->set && cache->triangle_a < query.a.triangles.size() &&
+      cache->triangle_b < query.b.triangles.size()) {
+    Search again{query, nullptr};
+    if (visit_search(&again, cache->triangle_a, &cache->triangle_b, 1, true)) return true;
+  }
+  Search search{query, cache};
+  if (visit_close_pairs(query.a.tree, query.b.tree, a_from_b, query.distance, visit_search,
+                        &search)) {
+    return true;
+  }
+  // No contact was found, so only allowed pairs can cross.
+  return for_containments(query, filter.allowed != nullptr,
+                          [](std::uint32_t, std::uint32_t, bool, const Vec3&) { return true; });
+}
+
+void find_contacts(const CollisionMesh& a, const CollisionMesh& b, const RigidTransform& a_from_b,
+                   double distance, const PatchFilter& filter, std::vector<TriangleContact>& out) {
+  out.clear();
+  const Query query{a.data(), b.data(), a_from_b, usable_distance(distance), filter};
+  if (query.a.tree.empty() || query.b.tree.empty() || !is_finite(a_from_b)) return;
+  Collection collection{query, out};
+  visit_close_pairs(query.a.tree, query.b.tree, a_from_b, query.distance, visit_collection,
+                    &collection);
+  std::sort(out.begin(), out.end(), [](const TriangleContact& x, const TriangleContact& y) {
+    return x.triangle_a != y.triangle_a ? x.triangle_a < y.triangle_a : x.triangle_b < y.triangle_b;
+  });
+  for_containments(
+      query, true, [&](std::uint32_t ca, std::uint32_t cb, bool a_is_inner, const Vec3& place) {
+        const Data& inner = a_is_inner ? query.a : query.b;
+        const Data& outer = a_is_inner ? query.b : query.a;
+        const std::uint32_t component = a_is_inner ? ca : cb;
+        const std::uint32_t first = outer.topology.components[a_is_inner ? cb : ca].first_triangle;
+        for (std::uint32_t t = 0; t < inner.triangles.size(); ++t) {
+          if (inner.topology.component[t] != component) continue;
+          if (a_is_inner ? filter.allows(t, first) : filter.allows(first, t)) continue;
+          TriangleContact contact;
+          contact.triangle_a = a_is_inner ? t : first;
+          contact.triangle_b = a_is_inner ? first : t;
+          contact.place = place;
+          contact.contained = true;
+          out.push_back(contact);
+        }
+        return false;
+      });
+}
+
+}  // namespace elbowroom
