@@ -59,6 +59,10 @@ Result<CorrectionOutcome> correct(SceneCollision& scene, const std::vector<int>&
     return Error{"the character has no clip to correct", model.path.string(),
                  "give a file with an animation"};
   if (Status wishes = check_wishes(scene, limbs, task.wishes); !wishes) return wishes.error();
+  if (task.window && (task.window->upper <= source->begin || task.window->lower >= source->end))
+    return Error{"the window lies outside the clip", model.path.string(),
+                 "the clip runs from " + std::to_string(source->begin) + " to " +
+                     std::to_string(source->end) + " s"};
   auto tell = [&](const std::string& phase, double fraction) {
     if (progress) progress({phase, fraction});
   };
@@ -85,8 +89,11 @@ Result<CorrectionOutcome> correct(SceneCollision& scene, const std::vector<int>&
     std::vector<ProposedWindow> windows;
     if (task.window) {
       ProposedWindow window;
-      window.begin = static_cast<double>(static_cast<float>(task.window->lower));
-      window.end = static_cast<double>(static_cast<float>(task.window->upper));
+      // What lies beyond the clip's keys has nothing to replan.
+      window.begin =
+          static_cast<double>(static_cast<float>(std::max(task.window->lower, source->begin)));
+      window.end =
+          static_cast<double>(static_cast<float>(std::min(task.window->upper, source->end)));
       for (const auto& contact : contacts)
         if (contact.deepest.limb == limb && contact.end >= window.begin &&
             contact.begin <= window.end)

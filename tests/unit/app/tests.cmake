@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+elbowroom_tests(test_app unit/app LABEL fast LINK elbowroom_app)
