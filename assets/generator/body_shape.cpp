@@ -57,20 +57,20 @@ struct BodyShape::Data {
                          {0.170, 0.0455, 0.0475, 0.004, 0.001},
                          {0.230, 0.0415, 0.0420},
                          {0.290, 0.0385, 0.0380},
-                         {0.340, 0.0370, 0.0370}});
+                         {0.365, 0.0375, 0.0375}});
   Loft forearm = limb(elbow, wrist,
-                      {{-0.020, 0.0360, 0.0360},
-                       {0.020, 0.0395, 0.0395, 0.002, 0.000},
+                      {{-0.040, 0.0375, 0.0375},
+                       {0.020, 0.0390, 0.0390, 0.002, 0.000},
                        {0.060, 0.0410, 0.0400, 0.004, 0.000},
                        {0.110, 0.0375, 0.0360, 0.002, 0.000},
-                       {0.170, 0.0320, 0.0295},
-                       {0.225, 0.0285, 0.0225},
-                       {0.262, 0.0280, 0.0205}});
+                       {0.170, 0.0305, 0.0310},
+                       {0.225, 0.0255, 0.0280},
+                       {0.275, 0.0210, 0.0280}});
   Loft palm{hand.wrist,
             hand.along,
             hand.thumb,
-            {{-0.012, 0.0275, 0.0200},
-             {0.012, 0.0300, 0.0195},
+            {{-0.020, 0.0280, 0.0215},
+             {0.012, 0.0300, 0.0200},
              {0.035, 0.0365, 0.0185, 0.001},
              {0.060, 0.0405, 0.0165, 0.001},
              {0.082, 0.0410, 0.0135, 0.001},
@@ -84,11 +84,11 @@ struct BodyShape::Data {
                      {0.140, 0.0790, 0.0860, 0, -0.004},
                      {0.230, 0.0710, 0.0770, 0, -0.006},
                      {0.320, 0.0600, 0.0660, 0, -0.006},
-                     {0.390, 0.0530, 0.0575, 0, -0.002},
-                     {0.450, 0.0500, 0.0540}});
+                     {0.390, 0.0535, 0.0580, 0, -0.002},
+                     {0.475, 0.0500, 0.0530}});
   Loft shank = limb(knee, ankle,
-                    {{-0.030, 0.0500, 0.0530},
-                     {0.010, 0.0500, 0.0525, 0, 0.000},
+                    {{-0.045, 0.0530, 0.0570},
+                     {0.010, 0.0500, 0.0530, 0, 0.000},
                      {0.060, 0.0500, 0.0530, 0, 0.008},
                      {0.120, 0.0530, 0.0575, 0, 0.016},
                      {0.190, 0.0490, 0.0530, 0, 0.014},
@@ -139,21 +139,24 @@ struct BodyShape::Data {
   }
 
   double head(const Vec3& p) const {
-    // Skull, face and jaw of one smooth egg; brow, nose, lips and ears only hinted at.
-    double d = ellipsoid(p, {0, 1.667, -0.006}, {0.0745, 0.083, 0.094});
-    d = smooth_union(d, ellipsoid(p, {0, 1.610, 0.026}, {0.0600, 0.078, 0.068}), 0.035);
-    d = smooth_union(d, ellipsoid(p, {0, 1.553, 0.052}, {0.034, 0.024, 0.034}), 0.040);
-    // Sockets of the eyes.
-    d = smooth_intersection(d, -ellipsoid(p, {0.033, 1.641, 0.108}, {0.023, 0.013, 0.022}), 0.022);
-    // Nose, from the bridge to the tip, and its wings.
-    d = smooth_union(d, tapered_capsule(p, {0, 1.650, 0.088}, {0, 1.606, 0.1035}, 0.0060, 0.0092),
-                     0.014);
-    d = smooth_union(d, ellipsoid(p, {0.0095, 1.602, 0.095}, {0.0065, 0.0060, 0.0085}), 0.010);
-    // Lips.
-    d = smooth_union(d, ellipsoid(p, {0, 1.5775, 0.0885}, {0.021, 0.0052, 0.0075}), 0.010);
-    d = smooth_union(d, ellipsoid(p, {0, 1.5690, 0.0875}, {0.018, 0.0056, 0.0075}), 0.010);
-    // Ears.
-    d = smooth_union(d, ellipsoid(p, {0.0745, 1.628, -0.012}, {0.0075, 0.029, 0.0165}), 0.010);
+    // A shop-window head: skull, face and jaw of one smooth egg; brow, nose and mouth only hinted
+    // at, no eyes.
+    double d = ellipsoid(p, {0, 1.668, -0.008}, {0.0740, 0.0820, 0.0935});
+    d = smooth_union(d, ellipsoid(p, {0, 1.617, 0.020}, {0.0585, 0.0830, 0.0720}), 0.045);
+    d = smooth_union(d, ellipsoid(p, {0, 1.5555, 0.058}, {0.030, 0.024, 0.030}), 0.050);
+    // Corners of the jaw.
+    d = smooth_union(d, ellipsoid(p, {0.044, 1.582, 0.010}, {0.014, 0.024, 0.026}), 0.040);
+    // Sockets of the eyes, wide and shallow, so that brow and cheek show.
+    d = smooth_intersection(d, -ellipsoid(p, {0.031, 1.6425, 0.112}, {0.026, 0.014, 0.026}), 0.032);
+    // Nose: a soft ridge that widens to the tip.
+    d = smooth_union(d, tapered_capsule(p, {0, 1.655, 0.082}, {0, 1.6085, 0.0990}, 0.0055, 0.0095),
+                     0.022);
+    // Mouth: a soft swell.
+    d = smooth_union(d, ellipsoid(p, {0, 1.5745, 0.0800}, {0.024, 0.0120, 0.0105}), 0.022);
+    // Ears, lying close.
+    const Quat tilt = quat_from_rotation_vector(Vec3(0.0, 0.35, 0.12));
+    const Vec3 ear = glm::conjugate(tilt) * (p - Vec3(0.0715, 1.630, -0.010));
+    d = smooth_union(d, ellipsoid(ear, Vec3(0.0), {0.0075, 0.0270, 0.0160}), 0.016);
     return d;
   }
 
@@ -164,7 +167,7 @@ struct BodyShape::Data {
     d = smooth_union(d, ellipsoid(p, {0.085, 1.340, -0.098}, {0.070, 0.085, 0.030}), 0.060);
     d = smooth_union(d, ellipsoid(p, {0.078, 0.905, -0.074}, {0.082, 0.085, 0.062}), 0.050);
     d = smooth_union(
-        d, tapered_capsule(p, {0.020, 1.490, -0.034}, {0.150, 1.424, -0.020}, 0.036, 0.040), 0.050);
+        d, tapered_capsule(p, {0.020, 1.490, -0.034}, {0.165, 1.428, -0.020}, 0.034, 0.043), 0.060);
     d = smooth_union(d, tapered_capsule(p, {0, 1.44, -0.034}, {0, 1.585, -0.012}, 0.060, 0.0535),
                      0.040);
     const double far = head_bounds.distance(p);
@@ -196,19 +199,33 @@ struct BodyShape::Data {
     return d;
   }
 
+  // One shape before the plane at `joint`, the other behind it, gradually over ± `width`: unlike a
+  // union, no bulge where the two overlap.
+  static double join(const Vec3& p, const Vec3& joint, const Vec3& direction, double width,
+                     double before, double behind) {
+    const double t = std::clamp(0.5 + 0.5 * glm::dot(p - joint, direction) / width, 0.0, 1.0);
+    return glm::mix(before, behind, t * t * (3.0 - 2.0 * t));
+  }
+
   double arm(const Vec3& p) const {
-    double d = smooth_union(upper_arm(p), forearm(p), 0.020);
+    const Vec3 along = glm::normalize(wrist - shoulder);
+    double d = join(p, elbow, along, 0.035, upper_arm(p), forearm(p));
+    // The round of the shoulder.
+    d = smooth_union(
+        d, ellipsoid(p, shoulder + Vec3(0.002, -0.004, 0.000), Vec3(0.0500, 0.0520, 0.0530)),
+        0.030);
     // The point of the elbow.
+    d = smooth_union(d, ellipsoid(p, elbow + Vec3(-0.004, -0.004, -0.026), Vec3(0.014)), 0.022);
     const double far = hand_bounds.distance(p);
-    if (far < 0.04 || far < d + 0.04) d = smooth_union(d, hand_shape(p), 0.016);
+    if (far < 0.04 || far < d + 0.04) d = join(p, wrist, hand.along, 0.016, d, hand_shape(p));
     return d;
   }
 
   double leg(const Vec3& p) const {
-    double d = smooth_union(thigh(p), shank(p), 0.020);
+    double d = join(p, knee, Vec3(0, -1, 0), 0.040, thigh(p), shank(p));
     // Kneecap.
     d = smooth_union(d, ellipsoid(p, knee + Vec3(0, 0.006, 0.032), {0.030, 0.038, 0.024}), 0.025);
-    const double cut = smooth_intersection(shoe(p), -p.y, 0.010);
+    const double cut = smooth_intersection(shoe(p), -p.y, 0.014);
     return smooth_union(d, cut, 0.022);
   }
 };
@@ -221,7 +238,7 @@ double BodyShape::operator()(const Vec3& at) const {
   const Data& body = *data_;
   double d = body.trunk(p);
   const double to_arm = std::min(body.arm_bounds.distance(p), body.hand_bounds.distance(p));
-  if (to_arm < 0.06 || to_arm < d + 0.06) d = smooth_union(d, body.arm(p), 0.045);
+  if (to_arm < 0.07 || to_arm < d + 0.07) d = smooth_union(d, body.arm(p), 0.060);
   const double to_leg = body.leg_bounds.distance(p);
   if (to_leg < 0.06 || to_leg < d + 0.06) d = smooth_union(d, body.leg(p), 0.040);
   return d;
@@ -275,6 +292,8 @@ double BodyShape::edge_length(const Vec3& at) const {
   wish(body.shoulder, 0.08, 0.0175, 0.15);
   wish(body.hip, 0.10, 0.0185, 0.15);
   wish({body.ankle.x + 0.01, 0.03, 0.06}, 0.12, 0.0135, 0.15);
+  // The edge of the sole.
+  if (p.y < 0.05) length = std::min(length, 0.0095 + 0.15 * std::max(0.0, p.y - 0.015));
   return length;
 }
 

@@ -39,20 +39,30 @@ double ellipsoid(const Vec3& p, const Vec3& centre, const Vec3& radii) {
 
 namespace {
 
-// Tangents of a monotone cubic (Fritsch and Carlson 1980 in Butland's harmonic-mean form): a drawn
-// profile stays between its sections and does not overshoot.
+// Tangents that make the curve C2 (natural cubic spline): shading shows a jump of curvature as a
+// band round the limb.
 void fill_slopes(const std::vector<Section>& s, double Section::*member,
                  std::vector<Section>& slopes) {
   const std::size_t n = s.size();
-  std::vector<double> rise(n - 1);
-  for (std::size_t i = 0; i + 1 < n; ++i)
-    rise[i] = (s[i + 1].*member - s[i].*member) / (s[i + 1].at - s[i].at);
-  slopes.front().*member = rise.front();
-  slopes.back().*member = rise.back();
-  for (std::size_t i = 1; i + 1 < n; ++i) {
-    const double a = rise[i - 1], b = rise[i];
-    slopes[i].*member = a * b <= 0 ? 0.0 : 2.0 * a * b / (a + b);
+  // Tridiagonal system for the slopes, eliminated downwards and solved upwards.
+  std::vector<double> upper(n), right(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double h0 = i > 0 ? s[i].at - s[i - 1].at : 0.0;
+    const double h1 = i + 1 < n ? s[i + 1].at - s[i].at : 0.0;
+    const double rise0 = i > 0 ? (s[i].*member - s[i - 1].*member) / h0 : 0.0;
+    const double rise1 = i + 1 < n ? (s[i + 1].*member - s[i].*member) / h1 : 0.0;
+    double lower = 0, middle = 2, above = 1, value = 3 * rise1;
+    if (i + 1 == n) {
+      lower = 1, above = 0, value = 3 * rise0;
+    } else if (i > 0) {
+      lower = h1, middle = 2 * (h0 + h1), above = h0, value = 3 * (h1 * rise0 + h0 * rise1);
+    }
+    const double pivot = middle - (i > 0 ? lower * upper[i - 1] : 0.0);
+    upper[i] = above / pivot;
+    right[i] = (value - (i > 0 ? lower * right[i - 1] : 0.0)) / pivot;
   }
+  for (std::size_t i = n; i-- > 0;)
+    slopes[i].*member = right[i] - (i + 1 < n ? upper[i] * slopes[i + 1].*member : 0.0);
 }
 
 }  // namespace

@@ -1,25 +1,46 @@
 // SPDX-License-Identifier: MIT
 #include "assets/generator/clips.h"
 #include "assets/generator/demo_files.h"
+#include "assets/generator/outfit.h"
 
 namespace elbowroom::demo {
 
 GlbFile make_mannequin() {
   const BodyShape shape;
   const Figure figure = make_figure();
-  const Surface surface = remesh(polygonize(shape, 0.005), shape, 5);
+  const Surface surface = cut_outfit(remesh(polygonize(shape, 0.005), shape, 5), shape);
   const std::vector<VertexWeights> weights = skin_weights(surface, shape, figure);
 
   GlbFile file;
   file.generator_note = "elbowroom demo generator";
-  file.materials = {{"Mannequin", {0.62f, 0.58f, 0.53f}, 0.65f, 0.0f, false}};
+  file.materials = outfit_materials();
 
-  GlbPrimitive skin;
-  skin.positions = surface.positions;
-  skin.triangles = surface.triangles;
-  skin.weights = weights;
-  for (const Vec3& p : surface.positions) skin.normals.push_back(shape.normal(p));
-  file.meshes.push_back({"Body", {std::move(skin)}});
+  // One primitive a material; vertices on a hem stand in both, alike to the bit.
+  GlbMesh mesh{"Body", {}};
+  for (std::size_t m = 0; m < file.materials.size(); ++m) {
+    GlbPrimitive part;
+    part.material = static_cast<int>(m);
+    constexpr std::uint32_t kNone = ~0u;
+    std::vector<std::uint32_t> index(surface.positions.size(), kNone);
+    for (const auto& t : surface.triangles) {
+      const Vec3 centre =
+          (surface.positions[t[0]] + surface.positions[t[1]] + surface.positions[t[2]]) / 3.0;
+      if (outfit_material(centre) != static_cast<int>(m)) continue;
+      std::array<std::uint32_t, 3> corners{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (index[t[k]] == kNone) {
+          index[t[k]] = static_cast<std::uint32_t>(part.positions.size());
+          part.positions.push_back(surface.positions[t[k]]);
+          part.normals.push_back(shape.normal(surface.positions[t[k]]));
+          part.weights.push_back(weights[t[k]]);
+        }
+        corners[k] = index[t[k]];
+      }
+      part.triangles.push_back(corners);
+    }
+    mesh.primitives.push_back(std::move(part));
+  }
+  file.meshes.push_back(std::move(mesh));
 
   GlbNode root;
   root.name = "Mannequin";

@@ -1,34 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <algorithm>
 
+#include "assets/generator/half_edges.h"
 #include "assets/generator/surface.h"
 
 namespace elbowroom::demo {
 
 namespace {
 
-struct Traits : OpenMesh::DefaultTraits {
-  using Point = OpenMesh::Vec3d;
-  using Normal = OpenMesh::Vec3d;
-  VertexAttributes(OpenMesh::Attributes::Status);
-  EdgeAttributes(OpenMesh::Attributes::Status);
-  FaceAttributes(OpenMesh::Attributes::Status);
-  HalfedgeAttributes(OpenMesh::Attributes::PrevHalfedge | OpenMesh::Attributes::Status);
-};
-using Mesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
-
-Vec3 to_glm(const OpenMesh::Vec3d& p) { return {p[0], p[1], p[2]}; }
-OpenMesh::Vec3d to_mesh(const Vec3& p) { return {p.x, p.y, p.z}; }
-
 class Remesher {
  public:
-  Remesher(const Surface& surface, const BodyShape& shape) : shape_(shape) {
-    for (const Vec3& p : surface.positions) mesh_.add_vertex(to_mesh(p));
-    for (const auto& t : surface.triangles)
-      mesh_.add_face(mesh_.vertex_handle(t[0]), mesh_.vertex_handle(t[1]),
-                     mesh_.vertex_handle(t[2]));
-  }
+  Remesher(const Surface& surface, const BodyShape& shape)
+      : shape_(shape), mesh_(to_half_edges(surface)) {}
 
   void collapse_short() {
     // Repeated sweeps: a sweep leaves a vertex alone once it has been moved, so that sizes shrink
@@ -137,17 +120,7 @@ class Remesher {
     }
   }
 
-  Surface result() const {
-    Surface surface;
-    for (const auto v : mesh_.vertices()) surface.positions.push_back(point(v));
-    for (const auto f : mesh_.faces()) {
-      std::array<std::uint32_t, 3> t{};
-      std::size_t n = 0;
-      for (const auto v : mesh_.fv_range(f)) t[n++] = static_cast<std::uint32_t>(v.idx());
-      surface.triangles.push_back(t);
-    }
-    return surface;
-  }
+  Surface result() const { return to_surface(mesh_); }
 
  private:
   static std::size_t index(OpenMesh::VertexHandle v) { return static_cast<std::size_t>(v.idx()); }
@@ -193,7 +166,7 @@ class Remesher {
   }
 
   const BodyShape& shape_;
-  Mesh mesh_;
+  HalfEdges mesh_;
 };
 
 }  // namespace

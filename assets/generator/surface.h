@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "assets/generator/body_shape.h"
@@ -22,5 +23,10 @@ Surface polygonize(const BodyShape& shape, double cell);
 // Isotropic remeshing (Botsch and Kobbelt, A remeshing approach to multiresolution modeling, 2004)
 // to the shape's wanted edge lengths, vertices projected to the surface. Keeps the topology.
 Surface remesh(const Surface& surface, const BodyShape& shape, int rounds);
+
+// Moves and splits edges so that none crosses the line where `field` is 0: a clean border for a
+// change of material. Keeps the topology.
+Surface cut_along(const Surface& surface, const BodyShape& shape,
+                  const std::function<double(const Vec3&)>& field);
 
 }  // namespace elbowroom::demo
