@@ -23,7 +23,7 @@ struct Limb {
   std::string name;         // limb_id, or FROM..TO for a chain
   std::vector<int> joints;  // node indices, root to end, driven ones between them included
   int root = -1, middle = -1, end = -1;  // shoulder/hip, elbow/knee, wrist/ankle
-  std::string why;          // what the finding rests on, for people
+  std::string why;                       // what the finding rests on, for people
 
   bool is_arm() const { return kind == LimbKind::left_arm || kind == LimbKind::right_arm; }
   bool is_left() const { return kind == LimbKind::left_arm || kind == LimbKind::left_leg; }
@@ -31,20 +31,22 @@ struct Limb {
 
 struct LimbFindings {
   std::vector<Limb> limbs;            // at most one of each kind
-  std::vector<std::string> warnings;  // one for each limb not found, with the reason
+  std::vector<std::string> warnings;  // one for each limb not found, with the reason; and what is
+                                      // odd about those found
 };
 
-// Finds arms and legs: the file's own word first (VRM humanoid bones, once the reader passes them
-// on), then names, then hierarchy. Cost: O(joints).
+// Finds arms and legs by names, then hierarchy: a limb's joints stand one below the other. Never
+// fails; what isn't found is absent, with a warning. A few milliseconds at most.
 LimbFindings find_limbs(const Model& model, const Character& character);
 
-// The limb named on a command line: left_arm, ..., or FROM..TO by joint names. Error: no such limb
-// or joint, with what there is.
-Result<Limb> limb_by_name(const Model& model, const Character& character,
-                          const std::string& name);
+// The limb named on a command line: left_arm, ..., or FROM..TO by joint names (exact, or by node
+// index). Of a chain that is not one of the limbs found, the middle is the joint that bends most
+// like a hinge: see the code. Error: no such limb or joint, with what there is.
+Result<Limb> limb_by_name(const Model& model, const Character& character, const std::string& name);
 
-// The body's own axes at the bind pose, world space, unit: up (hips to head), left (right limb
-// roots to left ones), forward (left × up ... chosen right-handed and towards where the feet point).
+// The body's own axes at the bind pose, the file's space, unit, right-handed: up (along legs and
+// trunk), left (right limb roots to left ones, or the other way where feet and knees say that the
+// names are swapped), forward = left × up. An axis near one of the file's is taken to be that one.
 struct BodyAxes {
   Vec3 up, left, forward;
 };

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The joint models of one limb [SKF07 4.2]: between the local rotations of a rig's joints and
-// numbers that mean the same on every rig.
+// The joint models of one limb [SKF07 4.2], fitted to a rig: between the local rotations of its
+// joints and numbers that mean the same on every rig. core/anatomy/joint_model.h has the product
+// and its derivation.
 //
-// For each of the limb's joints the local rotation is
+// A limb has three joint models: its root is a ball, its middle a hinge with twist, its end a
+// swing. Where the clips of the file show that a rig's middle or end turns about three axes, that
+// joint is a ball too, and where turning the end would move nothing (or but a part of the hand), it
+// is fixed. So numbers of DOFs differ between rigs: ask dof_count(), not for seven.
 //
-//     R = P · M(q) · E · C⁻¹          M: ball  S(q0, q1) · T(q2)      shoulder, hip
-//                                        hinge  F(q0) · T(q1)          elbow, knee
-//                                        swing  S(q0, q1)              wrist, ankle
-//
-// where C holds the anatomical frame in the joint's own axes (x along the bone to the next joint,
-// z the flexion axis, y = z × x: where flexion moves the bone's end), P the same frame at the zero
-// pose in the parent's axes, E is the residual (what M cannot express, identity in a perfect fit),
-// T(a) turns about x, F(a) about z, and S(a, b) is the rotation vector (0, a, b) across the bone.
-// On the right side T's and S's first number change sign, so that numbers are equal for mirrored
-// poses ("twist is positive inward"). The residual stands in this one place, after M, always.
+// Zero poses: the arm 45° forward of the side and 20° below level, the leg flexed by 45° and
+// abducted by 10° (core/anatomy/limits.cpp); elbow and knee straight; hand along the forearm; foot
+// as bound. Twist is zero as the shortest swing brings it from the T-pose with elbows that bend
+// forward (standing, with knees that bend back); forearm and shin as bound, unless fingers show
+// that the palm was bound to face another way than down (T-pose) or in (A-pose). A wrist without
+// twist of its own is centred where it twists least in the clips.
 //
 // Spaces: rotations are local (parent_from_joint). Units: radians. All functions are pure; a
 // LimbModel is immutable and may be shared between threads.
@@ -23,31 +23,12 @@
 #include <string>
 #include <vector>
 
+#include "core/anatomy/joint_model.h"
 #include "core/anatomy/limb.h"
 #include "core/animation/clip.h"
 #include "core/base/dof_space.h"
 
 namespace elbowroom {
-
-enum class JointModelKind { ball, hinge, swing };
-
-struct JointModel {
-  JointModelKind kind = JointModelKind::ball;
-  int joint = -1;                    // node index
-  int first_dof = 0;                 // index in the limb's parameters
-  Quat parent_from_zero{1, 0, 0, 0};   // P
-  Quat joint_from_anatomy{1, 0, 0, 0};  // C
-  double side = 1;                   // -1 on the right side: sign of twist and of the first swing
-  int dof_count() const { return kind == JointModelKind::ball ? 3 : 2; }
-};
-
-// M(q) for the joint's own numbers.
-Quat joint_rotation(const JointModel& model, const double* q);
-// R = P · M(q) · E · C⁻¹.
-Quat local_rotation(const JointModel& model, const double* q, const Quat& residual);
-// The inverse: q and the residual of a local rotation; exact, and E is smallest in the sense of
-// each model (no twist left in a hinge's, pure twist in a swing's, identity in a ball's).
-void decompose(const JointModel& model, const Quat& local, double* q, Quat& residual);
 
 // A joint between the limb's own (a twist or helper bone): its local rotation relative to what the
 // clip has is kept.
@@ -60,8 +41,11 @@ struct LimbModel {
   Limb limb;
   std::array<JointModel, 3> joints;  // root, middle, end
   std::vector<DrivenJoint> driven;
-  DofSpace space;                    // names, limits, default sampling intervals, speed limits
-  std::string flexion_axis_from;     // how the middle joint's axis was found, for people
+  DofSpace space;                  // names, limits, default sampling intervals, speed limits
+  std::string flexion_axis_from;   // how the middle joint's axis was found, for people
+  std::vector<std::string> notes;  // where a joint's model is another than usual, and why
+  // The body's axes in the axes of the root joint's parent, unit: for elevation().
+  Vec3 up{0, 1, 0}, outward{1, 0, 0}, forward{0, 0, 1};
 
   int dof_count() const { return space.count(); }
 };
@@ -72,12 +56,14 @@ struct LimbState {
 };
 
 // Fits the limb's joint models to a rig: frames from the body's axes, bind pose, hand and foot, and
-// what the joints do in the model's clips. Error: degenerate bones (zero length and the like).
+// what the joints do in the model's clips. Error: degenerate bones (zero length and the like), or a
+// joint that cannot be animated. Cost: O(keys of the limb's joints).
 Result<LimbModel> fit_limb_model(const Model& model, const Character& character, const Limb& limb,
                                  const LimbFindings& findings);
 
-// Parameters and residuals of the limb in a pose; near `previous` where numbers could jump by a
-// turn (twist), if given.
+// Parameters and residuals of the limb in a pose. Of the numbers that stand for one rotation those
+// near `previous` are taken, if given (twist and flexion go on past a half turn, a swing past pi),
+// else those nearest to the middle of the limits.
 LimbState limb_state(const LimbModel& limb, const Pose& pose, const LimbState* previous = nullptr);
 
 // Writes the limb joints' local rotations into the pose (nothing else of it changes).

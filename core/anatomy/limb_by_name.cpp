@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cctype>
+
+#include "core/anatomy/bind_geometry.h"
+#include "core/anatomy/limb.h"
+
+namespace elbowroom {
+namespace {
+
+constexpr std::size_t kNamesListed = 12;
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+// Joints to offer where `wanted` is none: those that share most of its beginning or contain it,
+// else the first.
+std::string joints_like(const Model& model, const Character& character, const std::string& wanted) {
+  const std::string low = lower(wanted);
+  std::vector<std::string> names;
+  for (const bool like : {true, false}) {
+    for (const int joint : character.joints) {
+      const std::string& name = model.skeleton.joints[static_cast<std::size_t>(joint)].name;
+      if (name.empty()) continue;
+      if (like && (low.empty() || lower(name).find(low) == std::string::npos)) continue;
+      names.push_back(name);
+    }
+    if (!names.empty()) break;
+  }
+  std::string text;
+  for (std::size_t i = 0; i < names.size() && i < kNamesListed; ++i) {
+    text += (i == 0 ? "" : ", ") + names[i];
+  }
+  if (names.size() > kNamesListed) text += ", ...";
+  return text;
+}
+
+// The joint of that name: one that a skin uses before any other node; else by node index; -1.
+int joint_named(const Model& model, const Character& character, const std::string& name) {
+  const auto& joints = model.skeleton.joints;
+  for (const int joint : character.joints) {
+    if (joints[static_cast<std::size_t>(joint)].name == name) return joint;
+  }
+  const int any = model.skeleton.find(name);
+  if (any >= 0) return any;
+  const bool number =
+      !name.empty() && name.size() < 9 &&
+      std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (!number) return -1;
+  const int index = std::stoi(name);
+  return index < model.skeleton.size() ? index : -1;
+}
+
+// The joint between the ends of a chain that serves best as its hinge: the one that leaves two
+// bones of the most equal length, as an elbow does; the bind pose's bend there decides between near
+// equals.
+int middle_of(const std::vector<Mat4>& globals, const std::vector<int>& joints) {
+  int best = -1;
+  double best_score = -1;
+  for (std::size_t i = 1; i + 1 < joints.size(); ++i) {
+    const Vec3 a = origin(globals, joints[i]) - origin(globals, joints.front());
+    const Vec3 b = origin(globals, joints.back()) - origin(globals, joints[i]);
+    const double shorter = std::min(glm::length(a), glm::length(b));
+    const double longer = std::max(glm::length(a), glm::length(b));
+    if (!(shorter > 0)) continue;
+    const double bend = 0.5 * (1.0 - glm::dot(a, b) / (glm::length(a) * glm::length(b)));
+    const double score = shorter / longer + 0.5 * bend;
+    if (score > best_score) {
+      best = joints[i];
+      best_score = score;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+Result<Limb> limb_by_name(const Model& model, const Character& character, const std::string& name) {
+  const std::string file = model.path.filename().string();
+  const LimbFindings findings = find_limbs(model, character);
+  std::string found;
+  for (const Limb& limb : findings.limbs) {
+    if (limb.name == name) return limb;
+    found += (found.empty() ? "" : ", ") + limb.name;
+  }
+  const std::size_t dots = name.find("..");
+  if (dots == std::string::npos) {
+    std::string remedy = found.empty() ? "no limb was found; name a chain as FROM..TO"
+                                       : "found: " + found + "; or name a chain as FROM..TO";
+    for (const std::string& warning : findings.warnings) {
+      if (warning.rfind(name + " not found", 0) == 0) remedy = warning + "; " + remedy;
+    }
+    return Error{"no limb '" + name + "'", file, remedy};
+  }
+  // A joint's name may hold dots itself ("Hand.L..Foo"): take the first split at which both exist.
+  std::string from = name.substr(0, dots), to = name.substr(dots + 2);
+  for (std::size_t at = dots; at != std::string::npos; at = name.find("..", at + 1)) {
+    if (joint_named(model, character, name.substr(0, at)) >= 0 &&
+        joint_named(model, character, name.substr(at + 2)) >= 0) {
+      from = name.substr(0, at);
+      to = name.substr(at + 2);
+      break;
+    }
+  }
+  const int root = joint_named(model, character, from);
+  const int end = joint_named(model, character, to);
+  for (const auto& [joint, text] : {std::pair(root, from), std::pair(end, to)}) {
+    if (joint >= 0) continue;
+    return Error{"no joint '" + text + "'", file, "joints: " + joints_like(model, character, text)};
+  }
+  if (root == end || !model.skeleton.is_within(end, root)) {
+    return Error{"'" + to + "' is not below '" + from + "'", file,
+                 "a chain goes from a joint to one below it"};
+  }
+  for (const Limb& limb : findings.limbs) {
+    if (limb.root == root && limb.end == end) return limb;
+  }
+  Limb limb;
+  limb.kind = LimbKind::chain;
+  limb.name = name;
+  limb.root = root;
+  limb.end = end;
+  for (int j = end;; j = model.skeleton.joints[static_cast<std::size_t>(j)].parent) {
+    limb.joints.insert(limb.joints.begin(), j);
+    if (j == root) break;
+  }
+  limb.middle = middle_of(bind_globals(model, character), limb.joints);
+  if (limb.middle < 0) {
+    return Error{"between '" + from + "' and '" + to + "' is no joint that could bend", file,
+                 "a chain needs at least three joints in three places"};
+  }
+  limb.why = "named; its middle is '" +
+             model.skeleton.joints[static_cast<std::size_t>(limb.middle)].name +
+             "', which leaves the most equal bones";
+  return limb;
+}
+
+}  // namespace elbowroom

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Default limits, sampling intervals, speed limits and names of a limb's DOFs.
+//
+// Limits are the ranges of joint motion of healthy adults, carried over into the parameters of the
+// joint models (whose zero poses are in limits.cpp beside the figures); a clip that exceeds them
+// widens them for its query (DofSpace::widen_to). Sources, figures in degrees at their place in
+// limits.cpp:
+//   Boone, Azen: Normal range of motion of joints in male subjects. J Bone Joint Surg Am 61 (1979).
+//   American Academy of Orthopaedic Surgeons: Joint Motion, Method of Measuring and Recording
+//   (1965). Kapandji: The Physiology of the Joints (rotation of the bent knee).
+// Speed limits are those of brisk everyday motion up to running and ball games, well below the
+// fastest that people were measured at:
+//   Jessop, Pain: Maximum velocities in flexion and extension actions for sport. J Human Kinetics
+//   50 (2016): up to 50 rad/s at the wrist, 28 rad/s at the knee. Novacheck: The biomechanics of
+//   running. Gait and Posture 7 (1998).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/anatomy/joint_model.h"
+#include "core/anatomy/limb.h"
+#include "core/base/dof_space.h"
+
+namespace elbowroom {
+
+enum class LimbJointRole { root, middle, end };
+
+// Zero direction of a root's bone, in the body's axes (outward: away from the middle of the body on
+// the limb's side), unit; in the middle of the swing range, so that the opposite direction, where a
+// swing is singular, points into the trunk. For arms and legs only.
+struct ZeroDirection {
+  double outward = 0, up = 0, forward = 0;
+};
+ZeroDirection zero_direction(bool arm);
+
+// Appends the DOFs (and the ellipse, if it has one) of one joint. `first_dof` of the model must be
+// the number of DOFs there are. `joint_name` names those of a chain that is no arm or leg.
+void append_dofs(LimbKind kind, LimbJointRole role, const JointModel& model,
+                 const std::string& joint_name, DofSpace& space);
+
+}  // namespace elbowroom
