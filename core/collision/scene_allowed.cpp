@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// Which contacts of the character in view with itself, and with what it carries, are natural.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "core/collision/scene_collision_data.h"
+
+namespace elbowroom {
+namespace {
+
+using Data = SceneCollision::Data;
+
+// The clip is looked at this often, and at its keys, for contacts it has itself.
+constexpr double kClipRate = 120;  // Hz
+// Long clips are looked at more coarsely, so that building stays a matter of seconds.
+constexpr int kMostSamples = 4800;
+
+// The nearest ancestors of `joint` that some triangle of the character follows.
+std::vector<int> carriers_of(const Data& data, const Skeleton& skeleton, int joint) {
+  std::set<int> followed;
+  for (std::size_t b = 0; b < data.bodies.size(); ++b)
+    if (data.roles[b].own)
+      for (const BodyTriangle& t : data.bodies[b].triangles()) followed.insert(t.joint);
+  int at = skeleton.joints[static_cast<std::size_t>(joint)].parent;
+  while (at >= 0 && !followed.contains(at))
+    at = skeleton.joints[static_cast<std::size_t>(at)].parent;
+  return at >= 0 ? std::vector<int>{at} : std::vector<int>{};
+}
+
+// The joint two own bodies share, seen from the child's side; joint -1 if none by hierarchy.
+SharedJoint shared_joint(const Data& data, const ActorState& bind, const LimbSide& child,
+                         const LimbSide& parent, std::size_t parent_body) {
+  SharedJoint shared;
+  const bool to_trunk = child.segment == kUpperSegment && parent.limb != child.limb;
+  const bool along_limb = parent.limb == child.limb && parent.segment == child.segment - 1;
+  if (child.limb < 0 || !(to_trunk || along_limb)) return shared;
+  const Limb& limb = data.limbs[static_cast<std::size_t>(child.limb)].limb;
+  const int joints[3] = {limb.root, limb.middle, limb.end};
+  const auto place = [&](int joint) {
+    return Vec3(bind.world_from_joint[static_cast<std::size_t>(joint)][3]) - data.origin;
+  };
+  const int joint = joints[child.segment];
+  const Skeleton& skeleton =
+      data.world.actors[static_cast<std::size_t>(data.actor)].model->skeleton;
+  shared.carriers = carriers_of(data, skeleton, joint);
+  // Of a trunk cut into bodies only the one that carries the joint shares it by hierarchy.
+  const auto& triangles = data.bodies[parent_body].triangles();
+  const bool carries = std::any_of(triangles.begin(), triangles.end(), [&](const auto& t) {
+    return std::find(shared.carriers.begin(), shared.carriers.end(), t.joint) !=
+           shared.carriers.end();
+  });
+  shared.limb_length = glm::distance(place(limb.root), place(limb.middle)) +
+                       glm::distance(place(limb.middle), place(limb.end));
+  if (!carries) return shared;
+  shared.joint = joint;
+  shared.place = place(joint);
+  if (child.segment < kEndSegment) shared.bone = place(joints[child.segment + 1]) - shared.place;
+  return shared;
+}
+
+// Times at which the clip is looked at.
+std::vector<double> clip_times(const Data& data) {
+  std::vector<double> times;
+  const double length = data.end - data.begin;
+  const int samples =
+      std::clamp(static_cast<int>(std::ceil(std::min(length * kClipRate, 1e9))), 1, kMostSamples);
+  for (int i = 0; i <= samples; ++i) times.push_back(data.begin + length * i / samples);
+  if (data.source_clip)
+    for (const Channel& channel : data.source_clip->channels)
+      for (const float key : channel.times)
+        if (key > data.begin && key < data.end) times.push_back(key);
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  // Keys of long clips are thinned like their samples.
+  const std::size_t most = 2u * kMostSamples;
+  if (times.size() > most) {
+    std::vector<double> fewer;
+    for (std::size_t i = 0; i < most; ++i) fewer.push_back(times[i * times.size() / most]);
+    times = std::move(fewer);
+  }
+  return times;
+}
+
+// The patches the clip has in contact now.
+void allow_from_clip(Data& data, TestPair& pair) {
+  const auto touching = contact_groups(data, pair, data.touching(), &pair.allowed->always);
+  if (touching.empty()) return;
+  std::set<std::pair<int, int>> parts;
+  for (const ContactGroup& group : touching) {
+    parts.emplace(group.part_a, group.part_b);
+    double& depth = pair.allowed->clip_depth[{group.part_a, group.part_b}];
+    depth = std::max(depth, group.depth);
+  }
+  // Where two parts are in contact, what is all but in contact beside it is part of the same
+  // touching; a hair's breadth of drift must not turn it into a collision.
+  const auto near =
+      contact_groups(data, pair, data.settings.clearance * data.height, &pair.allowed->always);
+  for (const ContactGroup& group : near)
+    if (parts.contains({group.part_a, group.part_b}))
+      for (const auto& [p, q] : group.patch_pairs) pair.allowed->allow(p, q, AllowedPatches::kClip);
+}
+
+void list_entries(Data& data) {
+  std::map<std::tuple<int, int, std::uint8_t>, AllowedContacts::Entry> entries;
+  for (const auto& [key, allowed] : data.allowed_pairs) {
+    const CollisionBody& a = data.bodies[static_cast<std::size_t>(key.first)];
+    const CollisionBody& b = data.bodies[static_cast<std::size_t>(key.second)];
+    for (int p = 0; p < allowed.patches_a; ++p)
+      for (int q = 0; q < allowed.patches_b; ++q) {
+        const std::uint8_t reasons = allowed.reasons_of(p, q);
+        if (reasons == 0) continue;
+        const int part_a = a.triangles()[a.triangles_of_patch(p).front()].part;
+        const int part_b = b.triangles()[b.triangles_of_patch(q).front()].part;
+        for (const auto& [bit, reason] :
+             {std::pair(AllowedPatches::kShared, AllowedReason::shared_joint),
+              std::pair(AllowedPatches::kBind, AllowedReason::bind_pose),
+              std::pair(AllowedPatches::kClip, AllowedReason::clip)}) {
+          if (!(reasons & bit)) continue;
+          AllowedContacts::Entry& entry = entries[{part_a, part_b, bit}];
+          entry.reason = reason;
+          ++entry.patches;
+          if (bit == AllowedPatches::kClip)
+            if (const auto depth = allowed.clip_depth.find({part_a, part_b});
+                depth != allowed.clip_depth.end())
+              entry.depth = std::max(entry.depth, depth->second);
+        }
+      }
+  }
+  for (auto& [key, entry] : entries) {
+    entry.part_a = data.parts[static_cast<std::size_t>(std::get<0>(key))];
+    entry.part_b = data.parts[static_cast<std::size_t>(std::get<1>(key))];
+    data.allowed.entries.push_back(entry);
+  }
+}
+
+}  // namespace
+
+void find_allowed_contacts(Data& data) {
+  const Actor& view = data.world.actors[static_cast<std::size_t>(data.actor)];
+  const Character& character = view.model->characters[static_cast<std::size_t>(data.character)];
+  const ActorState bind{rest_pose(view.model->skeleton), bind_globals(*view.model, character)};
+
+  // In the bind pose: joints shared, and patches that touch.
+  data.pose(data.begin);
+  std::vector<TestPair*> own_pairs;
+  for (TestPair& pair : data.pairs_now().pairs)
+    if (data.roles[static_cast<std::size_t>(pair.a)].own &&
+        data.roles[static_cast<std::size_t>(pair.b)].own)
+      own_pairs.push_back(&pair);
+  data.pose_actor(bind);
+  std::vector<const CollisionBody*> own;
+  std::vector<int> place(data.bodies.size(), -1);
+  for (std::size_t b = 0; b < data.bodies.size(); ++b)
+    if (data.roles[b].own) {
+      place[b] = static_cast<int>(own.size());
+      own.push_back(&data.placed(static_cast<int>(b)));
+    }
+  const JoinedSurface whole = join_bodies(own, data.weld_tolerance());
+  const double radius = data.settings.joint_radius * data.height;
+  for (TestPair* pair : own_pairs) {
+    const auto a = static_cast<std::size_t>(pair->a), b = static_cast<std::size_t>(pair->b);
+    const LimbSide &sa = data.roles[a].side, &sb = data.roles[b].side;
+    // The child is the one farther from the trunk; of two limbs either will do.
+    const bool a_is_child = sa.limb == sb.limb ? sa.segment > sb.segment : sa.limb >= 0;
+    const SharedJoint shared =
+        a_is_child ? shared_joint(data, bind, sa, sb, b) : shared_joint(data, bind, sb, sa, a);
+    allow_shared_joint(whole, own, a_is_child ? place[a] : place[b],
+                       a_is_child ? place[b] : place[a], shared, radius, !a_is_child,
+                       *pair->allowed);
+    for (const ContactGroup& group :
+         contact_groups(data, *pair, data.touching(), &pair->allowed->always))
+      for (const auto& [p, q] : group.patch_pairs)
+        pair->allowed->allow(p, q, AllowedPatches::kBind);
+  }
+
+  // Over the clip.
+  for (const double t : clip_times(data)) {
+    data.pose(t, true);
+    for (TestPair& pair : data.pairs_now().pairs)
+      if (pair.clip_may_allow) allow_from_clip(data, pair);
+  }
+  data.posed = false;
+  list_entries(data);
+}
+
+}  // namespace elbowroom

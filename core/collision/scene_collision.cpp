@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "core/collision/scene_collision.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "core/collision/scene_collision_data.h"
+
+namespace elbowroom {
+
+const char* allowed_reason_id(AllowedReason reason) {
+  switch (reason) {
+    case AllowedReason::shared_joint:
+      return "shared_joint";
+    case AllowedReason::bind_pose:
+      return "bind_pose";
+    case AllowedReason::clip:
+      return "clip";
+    case AllowedReason::support:
+      return "support";
+  }
+  return "unknown";
+}
+
+namespace {
+
+bool sound(double x, double low, double high) { return x >= low && x <= high; }
+
+// What is wrong with the question itself.
+Status check_query(const World& world, int actor, int character,
+                   const std::vector<LimbModel>& limbs, double begin, double end,
+                   const CollisionSettings& settings) {
+  if (actor < 0 || actor >= static_cast<int>(world.actors.size()) ||
+      !world.actors[static_cast<std::size_t>(actor)].model)
+    return Error{"the scene has no file " + std::to_string(actor) + " with a character in it", "",
+                 "name a file of the scene"};
+  const Model& model = *world.actors[static_cast<std::size_t>(actor)].model;
+  const std::string file = model.path.string();
+  if (character < 0 || character >= static_cast<int>(model.characters.size()))
+    return Error{"there is no character " + std::to_string(character), file,
+                 "it has " + std::to_string(model.characters.size())};
+  const Character& figure = model.characters[static_cast<std::size_t>(character)];
+  if (!(figure.height > 0 && std::isfinite(figure.height)))
+    return Error{"the character \"" + figure.name + "\" has no height", file,
+                 "tolerances are shares of the height; check the bind pose and the scale"};
+  for (const LimbModel& limb : limbs)
+    for (const int joint : {limb.limb.root, limb.limb.middle, limb.limb.end})
+      if (joint < 0 || joint >= model.skeleton.size())
+        return Error{"the limb " + limb.limb.name + " names a joint that is not there", file, ""};
+  if (!(std::isfinite(begin) && std::isfinite(end) && begin <= end))
+    return Error{"the time interval is empty or not finite", file, "give begin ≤ end in seconds"};
+  if (!(sound(settings.epsilon, 0, 0.1) && sound(settings.clearance, 0, 0.5) &&
+        sound(settings.joint_radius, 0, 1) && sound(settings.patch_size, 1e-3, 1)))
+    return Error{"a collision setting is out of range", "settings",
+                 "shares of the height: epsilon 0 to 0.1, clearance 0 to 0.5, joint_radius 0 to 1, "
+                 "patch_size 0.001 to 1"};
+  return Done{};
+}
+
+}  // namespace
+
+SceneCollision::SceneCollision(std::unique_ptr<Data> data) : data_(std::move(data)) {}
+SceneCollision::SceneCollision(SceneCollision&&) noexcept = default;
+SceneCollision& SceneCollision::operator=(SceneCollision&&) noexcept = default;
+SceneCollision::~SceneCollision() = default;
+
+Result<SceneCollision> SceneCollision::build(World world, int actor, int character,
+                                             std::vector<LimbModel> limbs, double begin, double end,
+                                             const CollisionSettings& settings) {
+  if (const Status checked = check_query(world, actor, character, limbs, begin, end, settings);
+      !checked)
+    return checked.error();
+  auto data = std::make_unique<Data>();
+  data->world = std::move(world);
+  data->actor = actor;
+  data->character = character;
+  data->posed_limbs.resize(limbs.size());
+  data->limbs = std::move(limbs);
+  data->settings = settings;
+  data->begin = begin;
+  data->end = end;
+  const Actor& view = data->world.actors[static_cast<std::size_t>(actor)];
+  const Character& figure = view.model->characters[static_cast<std::size_t>(character)];
+  // Heights are the file's; how large it stands in the world is the placement's matter.
+  const double scale = std::cbrt(std::abs(glm::determinant(Mat3(view.world_from_file))));
+  data->height = figure.height * (scale > 0 && std::isfinite(scale) ? scale : 1.0);
+  data->source_clip = view.clip;
+  if (const Status built = build_bodies(*data); !built) return built.error();
+  find_allowed_contacts(*data);
+  return SceneCollision(std::move(data));
+}
+
+const World& SceneCollision::world() const { return data_->world; }
+int SceneCollision::actor() const { return data_->actor; }
+const std::vector<LimbModel>& SceneCollision::limbs() const { return data_->limbs; }
+double SceneCollision::height() const { return data_->height; }
+const CollisionSettings& SceneCollision::settings() const { return data_->settings; }
+const AllowedContacts& SceneCollision::allowed_contacts() const { return data_->allowed; }
+
+void SceneCollision::set_clip(std::shared_ptr<const Clip> clip) {
+  auto& played = data_->world.actors[static_cast<std::size_t>(data_->actor)].clip;
+  if (played == clip) return;
+  played = std::move(clip);
+  data_->posed = false;
+}
+
+void SceneCollision::pose_limb(int limb, const LimbState* state) {
+  if (limb < 0 || limb >= static_cast<int>(data_->limbs.size())) return;
+  auto& posed = data_->posed_limbs[static_cast<std::size_t>(limb)];
+  if (!state && !posed) return;
+  if (state)
+    posed = *state;
+  else
+    posed.reset();
+  data_->posed = false;
+}
+
+void SceneCollision::contacts_at(double t, int only_limb, bool list_allowed,
+                                 std::vector<ContactSample>& out) {
+  out.clear();
+  data_->pose(t);
+  for (TestPair& pair : data_->pairs_now().pairs)
+    if (data_->concerns(pair, only_limb)) data_->pair_contacts(pair, only_limb, list_allowed, out);
+}
+
+bool SceneCollision::limb_in_contact(double t, int limb, double distance) {
+  data_->pose(t);
+  const double at = std::max(distance, data_->touching());
+  for (TestPair& pair : data_->pairs_now().pairs)
+    if (data_->concerns(pair, limb) && data_->pair_in_contact(pair, at)) return true;
+  return false;
+}
+
+double SceneCollision::limb_clearance(double t, int limb, double at_most) {
+  data_->pose(t);
+  double clearance = at_most;
+  for (TestPair& pair : data_->pairs_now().pairs) {
+    if (!data_->concerns(pair, limb)) continue;
+    clearance = std::min(clearance, data_->pair_clearance(pair, clearance));
+    if (!(clearance > 0)) return 0;
+  }
+  return clearance;
+}
+
+}  // namespace elbowroom

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: MIT
+// The world brought to a time, and one pair of bodies asked for its contacts.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "core/animation/affine.h"
+#include "core/collision/contact_depth.h"
+#include "core/collision/mesh_data.h"
+#include "core/collision/scene_collision_data.h"
+
+namespace elbowroom {
+namespace {
+
+using Data = SceneCollision::Data;
+
+// Where the origin of queries may stand: corners of a grid, so that it is a function of the pose
+// alone and rests while the character moves about. Wide enough to be crossed seldom, narrow enough
+// that float keeps a fiftieth of ε: 8 heights · 2^-24 ≈ 5e-7 heights.
+constexpr double kOriginGrid = 8;  // × height
+
+double snapped(double x, double grid) {
+  const double cell = std::round(x / grid) * grid;
+  return std::isfinite(cell) ? cell : 0.0;
+}
+
+std::uint8_t strongest(std::uint8_t reasons) {
+  for (const std::uint8_t r :
+       {AllowedPatches::kShared, AllowedPatches::kBind, AllowedPatches::kClip})
+    if (reasons & r) return r;
+  return 0;
+}
+
+// A surface that is closed by itself, not by the caps of a cut.
+bool closed_by_itself(const CollisionMesh& mesh, std::uint32_t triangle) {
+  const Topology& topology = mesh.data().topology;
+  return topology.components[topology.component[triangle]].border_edges == 0;
+}
+
+template <typename T>
+void sort_unique(std::vector<T>& v) {
+  std::sort(v.begin(), v.end());
+  v.erase(std::unique(v.begin(), v.end()), v.end());
+}
+
+AllowedReason reason_named(std::uint8_t bit) {
+  return bit == AllowedPatches::kShared ? AllowedReason::shared_joint
+         : bit == AllowedPatches::kBind ? AllowedReason::bind_pose
+                                        : AllowedReason::clip;
+}
+
+bool any_not_allowed(const std::vector<ContactGroup>& groups) {
+  return std::any_of(groups.begin(), groups.end(), [](const auto& g) { return g.reason == 0; });
+}
+
+// Contacts that the clip has at this very time are allowed by definition, whether or not the scan
+// that gathered patches looked at this time: those of `groups` are marked as the clip's where it
+// has the same patches in contact, as deep. Leaves the source clip posed.
+void excuse_by_source(Data& data, const TestPair& pair, std::vector<ContactGroup>& groups) {
+  const double t = data.posed_at;
+  data.pose(t, true);
+  // What is near in the clip serves too, as in the scan, where the parts are in contact at all.
+  const auto touching = contact_groups(data, pair, data.touching(), nullptr);
+  const auto near = contact_groups(data, pair, data.settings.clearance * data.height, nullptr);
+  for (ContactGroup& group : groups) {
+    if (group.reason != 0) continue;
+    double depth = -1;
+    std::vector<std::pair<std::uint16_t, std::uint16_t>> patches;
+    for (const ContactGroup& g : touching)
+      if (g.part_a == group.part_a && g.part_b == group.part_b) depth = std::max(depth, g.depth);
+    for (const ContactGroup& g : near)
+      if (g.part_a == group.part_a && g.part_b == group.part_b)
+        patches.insert(patches.end(), g.patch_pairs.begin(), g.patch_pairs.end());
+    sort_unique(patches);
+    if (depth >= 0 && group.depth <= depth + data.touching() &&
+        std::includes(patches.begin(), patches.end(), group.patch_pairs.begin(),
+                      group.patch_pairs.end()))
+      group.reason = AllowedPatches::kClip;
+  }
+}
+
+// Marks as allowed what is so by the clip; the world stays at its time, but perhaps in the source.
+void excuse_by_clip(Data& data, const TestPair& pair, std::vector<ContactGroup>& groups) {
+  if (!pair.clip_may_allow || !any_not_allowed(groups)) return;
+  if (data.posed_at < data.begin || data.posed_at > data.end) return;
+  if (data.playing_source()) {
+    for (ContactGroup& group : groups)
+      if (group.reason == 0) group.reason = AllowedPatches::kClip;
+    return;
+  }
+  const double t = data.posed_at;
+  excuse_by_source(data, pair, groups);
+  data.pose(t);
+}
+
+}  // namespace
+
+bool Data::playing_source() const {
+  const auto& played = world.actors[static_cast<std::size_t>(actor)].clip;
+  if (played != source_clip && !posed_source) return false;
+  if (posed_source) return true;
+  return std::none_of(posed_limbs.begin(), posed_limbs.end(),
+                      [](const auto& limb) { return limb.has_value(); });
+}
+
+void Data::pose(double t, bool source) {
+  const bool plain = std::none_of(posed_limbs.begin(), posed_limbs.end(),
+                                  [](const auto& limb) { return limb.has_value(); });
+  if (posed && posed_at == t && posed_source == source && !std::isnan(t)) return;
+  auto& self = world.actors[static_cast<std::size_t>(actor)];
+  if (source) {
+    std::shared_ptr<const Clip> played = source_clip;
+    std::swap(self.clip, played);
+    world_state_at(world, t, states);
+    std::swap(self.clip, played);
+  } else {
+    world_state_at(world, t, states);
+  }
+  if (!source && !plain) {
+    ActorState& state = states[static_cast<std::size_t>(actor)];
+    for (std::size_t l = 0; l < limbs.size(); ++l)
+      if (posed_limbs[l]) apply_limb_state(limbs[l], *posed_limbs[l], state.pose);
+    Mat4 world_from_file = self.world_from_file;
+    const auto& attachment = self.attachment;
+    if (attachment && attachment->begin <= t && t <= attachment->end && attachment->actor >= 0 &&
+        attachment->actor < actor && attachment->joint >= 0) {
+      const auto& carrier = states[static_cast<std::size_t>(attachment->actor)].world_from_joint;
+      if (static_cast<std::size_t>(attachment->joint) < carrier.size())
+        world_from_file = attached_placement(*attachment, carrier);
+    }
+    compute_globals(self.model->skeleton, state.pose, world_from_file, state.world_from_joint);
+    for (std::size_t i = static_cast<std::size_t>(actor) + 1; i < world.actors.size(); ++i)
+      if (world.actors[i].attachment) actor_state_at(world, static_cast<int>(i), t, states);
+  }
+  posed = true;
+  posed_at = t;
+  posed_source = source;
+  ++stamp;
+
+  const auto& joints = world.actors[static_cast<std::size_t>(actor)]
+                           .model->characters[static_cast<std::size_t>(character)]
+                           .joints;
+  const auto& globals = states[static_cast<std::size_t>(actor)].world_from_joint;
+  const Vec3 at =
+      joints.empty() ? Vec3(0.0) : Vec3(globals[static_cast<std::size_t>(joints.front())][3]);
+  for (int k = 0; k < 3; ++k) origin[k] = snapped(at[k], kOriginGrid * height);
+}
+
+void Data::pose_actor(const ActorState& state) {
+  states.resize(world.actors.size());
+  states[static_cast<std::size_t>(actor)] = state;
+  posed = false;
+  ++stamp;
+  const auto& joints = world.actors[static_cast<std::size_t>(actor)]
+                           .model->characters[static_cast<std::size_t>(character)]
+                           .joints;
+  const Vec3 at = joints.empty()
+                      ? Vec3(0.0)
+                      : Vec3(state.world_from_joint[static_cast<std::size_t>(joints.front())][3]);
+  for (int k = 0; k < 3; ++k) origin[k] = snapped(at[k], kOriginGrid * height);
+}
+
+const CollisionBody& Data::placed(int body) {
+  const auto b = static_cast<std::size_t>(body);
+  if (body_stamp[b] != stamp) {
+    bodies[b].place(states[static_cast<std::size_t>(bodies[b].actor())], origin);
+    body_stamp[b] = stamp;
+  }
+  return bodies[b];
+}
+
+RigidTransform Data::a_from_b(const TestPair& pair) {
+  const CollisionBody &a = placed(pair.a), &b = placed(pair.b);
+  if (a.deforms() && b.deforms()) return {};
+  if (a.deforms()) return b.query_from_body();
+  return inverse(a.query_from_body()) * b.query_from_body();
+}
+
+std::vector<ContactGroup> contact_groups(Data& data, const TestPair& pair, double distance,
+                                         const std::vector<bool>* skip) {
+  std::vector<ContactGroup> groups;
+  const CollisionBody &a = data.placed(pair.a), &b = data.placed(pair.b);
+  if (!a.box().within(b.box(), distance)) return groups;
+  const RigidTransform a_from_b = data.a_from_b(pair);
+  std::vector<TriangleContact> contacts;
+  find_contacts(a.mesh(), b.mesh(), a_from_b, distance,
+                skip ? patch_filter(a, b, *skip) : PatchFilter{}, contacts);
+  const bool same_body = data.roles[static_cast<std::size_t>(pair.a)].own &&
+                         data.roles[static_cast<std::size_t>(pair.b)].own;
+  std::map<std::tuple<int, int, std::uint8_t>, std::size_t> number;
+  for (const TriangleContact& contact : contacts) {
+    const std::uint16_t p = a.patch_of()[contact.triangle_a], q = b.patch_of()[contact.triangle_b];
+    // Pieces of one skin are joined: what is inside has crossed on its way. Only surfaces that were
+    // closed in the file can lie inside each other.
+    if (contact.contained && same_body &&
+        !(closed_by_itself(a.mesh(), contact.triangle_a) &&
+          closed_by_itself(b.mesh(), contact.triangle_b)))
+      continue;
+    const int part_a = a.triangles()[contact.triangle_a].part;
+    const int part_b = b.triangles()[contact.triangle_b].part;
+    const std::uint8_t reason = pair.allowed ? strongest(pair.allowed->reasons_of(p, q)) : 0;
+    const auto [at, fresh] = number.try_emplace({part_a, part_b, reason}, groups.size());
+    if (fresh) {
+      groups.emplace_back();
+      groups.back().part_a = part_a;
+      groups.back().part_b = part_b;
+      groups.back().reason = reason;
+      groups.back().place = a.query_from_body() * contact.place;
+      groups.back().contained = contact.contained;
+    }
+    ContactGroup& group = groups[at->second];
+    group.patches_a.push_back(p);
+    group.patches_b.push_back(q);
+    group.patch_pairs.emplace_back(p, q);
+  }
+  for (ContactGroup& group : groups) {
+    sort_unique(group.patches_a);
+    sort_unique(group.patches_b);
+    sort_unique(group.patch_pairs);
+    if (group.reason == AllowedPatches::kShared || group.reason == AllowedPatches::kBind) continue;
+    group.depth = group.contained ? penetration_depth(a.mesh(), b.mesh(), a_from_b)
+                                  : contact_depth(a, group.patches_a, b, group.patches_b);
+    if (group.reason != AllowedPatches::kClip) continue;
+    // No deeper than the clip has these two parts.
+    const auto limit = pair.allowed->clip_depth.find({group.part_a, group.part_b});
+    if (limit == pair.allowed->clip_depth.end() || group.depth > limit->second + data.touching())
+      group.reason = 0;
+  }
+  return groups;
+}
+
+bool Data::pair_in_contact(TestPair& pair, double distance) {
+  const CollisionBody &a = placed(pair.a), &b = placed(pair.b);
+  if (!a.box().within(b.box(), distance)) return false;
+  const RigidTransform relative = a_from_b(pair);
+  if (!pair.allowed)
+    return elbowroom::in_contact(a.mesh(), b.mesh(), relative, distance, {}, &pair.cache);
+
+  const auto wrong_at = [&](double at_distance, const std::vector<bool>& skip) {
+    auto groups = contact_groups(*this, pair, at_distance, &skip);
+    excuse_by_clip(*this, pair, groups);
+    return any_not_allowed(groups);
+  };
+  // Pieces of one body: parity is looked at with the groups, where it is known which are closed.
+  if (elbowroom::in_contact(a.mesh(), b.mesh(), relative, distance,
+                            patch_filter(a, b, pair.allowed->any), &pair.cache)) {
+    if (wrong_at(distance, pair.allowed->any)) return true;
+  }
+  // The clip's patches: in contact, and then deeper than the clip?
+  if (pair.allowed->clip_depth.empty()) return false;
+  return wrong_at(touching(), pair.allowed->always);
+}
+
+void Data::pair_contacts(TestPair& pair, int only_limb, bool list_allowed,
+                         std::vector<ContactSample>& out) {
+  auto groups = contact_groups(*this, pair, touching(),
+                               pair.allowed && !list_allowed ? &pair.allowed->always : nullptr);
+  const Vec3 query_origin = origin;
+  excuse_by_clip(*this, pair, groups);
+  const int limb_a = pair.limb_a, limb_b = pair.limb_b;
+  bool b_first = limb_a < 0 || (limb_b >= 0 && limb_b < limb_a);
+  if (only_limb >= 0) b_first = !in_limb(limb_a, only_limb);
+  if (limb_a < 0 && limb_b < 0) b_first = roles[static_cast<std::size_t>(pair.b)].own;
+
+  // One sample for each pair of parts and verdict.
+  std::map<std::tuple<int, int, std::uint8_t>, std::size_t> number;
+  for (const ContactGroup& group : groups) {
+    if (group.reason != 0 && !list_allowed) continue;
+    const auto [at, fresh] =
+        number.try_emplace({group.part_a, group.part_b, group.reason}, out.size());
+    if (fresh) {
+      ContactSample sample;
+      sample.limb = only_limb >= 0 ? only_limb : b_first ? limb_b : limb_a;
+      sample.part_a = parts[static_cast<std::size_t>(b_first ? group.part_b : group.part_a)];
+      sample.part_b = parts[static_cast<std::size_t>(b_first ? group.part_a : group.part_b)];
+      sample.place = group.place + query_origin;
+      sample.depth = group.depth;
+      sample.allowed = group.reason != 0;
+      if (sample.allowed) sample.reason = reason_named(group.reason);
+      out.push_back(std::move(sample));
+    } else if (group.depth > out[at->second].depth) {
+      out[at->second].depth = group.depth;
+      out[at->second].place = group.place + query_origin;
+    }
+  }
+}
+
+double Data::pair_clearance(TestPair& pair, double at_most) {
+  const CollisionBody &a = placed(pair.a), &b = placed(pair.b);
+  if (!a.box().within(b.box(), at_most)) return at_most;
+  if (pair_in_contact(pair, touching())) return 0;
+  // Asking may have posed the source clip and come back.
+  const CollisionBody &a_now = placed(pair.a), &b_now = placed(pair.b);
+  return surface_distance(
+      a_now.mesh(), b_now.mesh(), a_from_b(pair), at_most,
+      pair.allowed ? patch_filter(a_now, b_now, pair.allowed->any) : PatchFilter{});
+}
+
+}  // namespace elbowroom
