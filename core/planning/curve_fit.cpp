@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 
 #include "core/base/random.h"
 #include "core/planning/curve_check.h"
@@ -243,6 +244,10 @@ class Fit {
       if (stop_.stop_requested()) return false;
       const int hold = nearest_free(held, fault);
       if (hold < 0) {
+        char place[96];
+        std::snprintf(place, sizeof place, "the curve %s at %.4f s",
+                      fault.collision ? "collides" : "cannot keep its limits", fault.time);
+        result_.reason = place;
         for (int s = std::max(3, fault.first_span); s <= std::min(count() - 1, fault.last_span);
              ++s) {
           bad[static_cast<std::size_t>(s - 3)] = true;
@@ -258,31 +263,33 @@ class Fit {
   struct Fault {
     int first = 0, last = -1;
     int first_span = 0, last_span = -1;
-    double time = 0;  // of the place
+    double time = 0;         // of the place
+    bool collision = false;  // or else a limit is broken
     bool none() const { return last < first; }
   };
 
   // The first thing wrong with control points first ... last and the curve they act on.
   Fault find_fault(int first, int last) {
     for (int i = first; i <= last; ++i) {
-      if (!keeps_limits(i)) return {i, i, i, i + 3, greville_abscissa(curve_.knots, i)};
+      if (!keeps_limits(i)) return {i, i, i, i + 3, greville_abscissa(curve_.knots, i), false};
     }
     for (int i = first - 1; i <= last; ++i) {
-      if (!keeps_speed(i)) return {i, i + 1, i + 1, i + 3, greville_abscissa(curve_.knots, i)};
+      if (!keeps_speed(i))
+        return {i, i + 1, i + 1, i + 3, greville_abscissa(curve_.knots, i), false};
     }
     double collision = 0;
     if (curve_span_free(world_, curve_, std::max(3, first), std::min(count() - 1, last + 3),
                         settings_.resolution, suspects_, stop_, result_.checks, collision)) {
       return {};
     }
-    if (std::isnan(collision)) return {first, last, 3, 3, 0};
+    if (std::isnan(collision)) return {first, last, 3, 3, 0, false};
     // Where one curve collided the next one is likely to: the last few such times are tried first.
     const auto known = std::find(suspects_.begin(), suspects_.end(), collision);
     if (known != suspects_.end()) suspects_.erase(known);
     suspects_.insert(suspects_.begin(), collision);
     if (suspects_.size() > kMostSuspects) suspects_.pop_back();
     const int span = curve_span(curve_.knots, collision);
-    return {span - 3, span, span, span, collision};
+    return {span - 3, span, span, span, collision, true};
   }
 
   // Of the control points that act on the fault and are not held, the one nearest to it; or -1.
@@ -496,7 +503,6 @@ CurveResult fit_curve(StateSpace& world, const CurveQuery& query, const CurveSet
         break;
       case Followed::no:
         result.status = CurveStatus::no_curve;
-        if (result.reason.empty()) result.reason = "limits or speed limits cannot be kept";
         break;
       case Followed::stopped:
         result.status = CurveStatus::cancelled;

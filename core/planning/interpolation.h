@@ -19,8 +19,8 @@ namespace elbowroom {
 // How far two neighbouring tested configurations may lie apart; both bounds hold, since an edge
 // with a still limb moves too: the clip and the world do.
 struct EdgeResolution {
-  double radians = 0.04;        // Euclidean norm of the change of the DOFs
-  double seconds = 1.0 / 90.0;  // change of time
+  double radians = 0.02;         // Euclidean norm of the change of the DOFs
+  double seconds = 1.0 / 240.0;  // change of time
 };
 
 struct CheckCounters {

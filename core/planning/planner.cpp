@@ -56,6 +56,7 @@ class Search {
     const int node_2 = tree_2.nearest(sample.t, points_, settings_.smallest_time_step);
     if (node_1 < 0 || node_2 < 0) return false;
     if (connect(tree_1, node_1, node_2)) return true;
+    if (tree_1.is_cut(node_1) || tree_2.is_cut(node_2)) return false;
     const int expanded = expand(tree_1, node_1, sample);
     return expanded >= 0 && connect(tree_1, expanded, node_2);
   }
@@ -81,7 +82,29 @@ class Search {
     if (!interpolation_free(world_, settings_.resolution, a, b, stop_, result_.stats.checks)) {
       return false;
     }
+    if (!verify(init_, verified_init_, from) || !verify(goal_, verified_goal_, to)) return false;
+    if (!interpolation_free(world_, settings_.path_resolution, a, b, stop_, result_.stats.checks)) {
+      return false;
+    }
     make_path(from, to);
+    return true;
+  }
+
+  // The edges from a node to its root at the resolution of paths. One that fails is cut off.
+  bool verify(Tree& tree, std::vector<bool>& verified, int i) {
+    verified.resize(static_cast<std::size_t>(tree.size()), false);
+    for (; tree.parent(i) >= 0; i = tree.parent(i)) {
+      if (verified[static_cast<std::size_t>(i)]) continue;
+      const Configuration& node = tree.node(i);
+      const Configuration& parent = tree.node(tree.parent(i));
+      const bool forward = tree.direction() == Tree::Direction::forward;
+      if (!interpolation_free(world_, settings_.path_resolution, forward ? parent : node,
+                              forward ? node : parent, stop_, result_.stats.checks)) {
+        if (!stop_.stop_requested()) tree.cut(i);
+        return false;
+      }
+      verified[static_cast<std::size_t>(i)] = true;
+    }
     return true;
   }
 
@@ -160,6 +183,7 @@ class Search {
   Tree init_, goal_;
   Random random_;
   bool swapped_ = false;
+  std::vector<bool> verified_init_, verified_goal_;  // the edge to the parent holds for a path
   std::vector<Vec3> points_, node_points_;
   std::unordered_set<std::uint64_t> failed_;  // pairs of nodes whose connection was tested
 };
@@ -183,7 +207,8 @@ std::string settings_fault(const PlannerSettings& s) {
     return "the weights of the metric are no proper weights";
   }
   if (!positive(s.step)) return "the step of the search is not positive";
-  if (!positive(s.resolution.radians) || !positive(s.resolution.seconds)) {
+  if (!positive(s.resolution.radians) || !positive(s.resolution.seconds) ||
+      !positive(s.path_resolution.radians) || !positive(s.path_resolution.seconds)) {
     return "the resolution of the edge check is not positive";
   }
   if (!positive(s.speed_share)) return "the share of the speed limits is not positive";

@@ -14,6 +14,8 @@
 //  * ε/d is bounded by 1: a node never goes beyond its sample. A sample at a node (d = 0) is
 //  refused.
 //  * A pair of nodes whose connection failed is not tested again.
+//  * The trees grow at one resolution and a path found is tested at a finer one, that of smoothing
+//    and curve; an edge that fails there is cut off with what grew from it, and the search goes on.
 //
 // The same query, settings, seed and iteration budget give the same bytes, on one thread or many
 // (each with its own StateSpace). A time budget only decides how many iterations are made; their
@@ -36,8 +38,9 @@ struct PlannerSettings {
   // dist = w_t |Δt| + w_a max |Δp|, with w_t in length units a second.
   double time_weight = 0.5;
   double posture_weight = 1.0;
-  double step = 0.4;  // ε, in length units
-  EdgeResolution resolution;
+  double step = 0.4;                                  // ε, in length units
+  EdgeResolution resolution{0.04, 1.0 / 90.0};        // of edges while the trees grow
+  EdgeResolution path_resolution{0.02, 1.0 / 240.0};  // of the edges of a path found
   SamplingSettings sampling;
   // Share of the speed limits that the search may use; the rest is left to the curve that rounds
   // the path's corners. Raised, up to 1, where the way from init to goal alone needs more.

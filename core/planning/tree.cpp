@@ -35,6 +35,17 @@ int Tree::add(const Configuration& c, const std::vector<Vec3>& points, int paren
   return size() - 1;
 }
 
+void Tree::cut(int i) {
+  const double never = std::numeric_limits<double>::quiet_NaN();
+  times_[static_cast<std::size_t>(i)] = never;
+  // Children come after their parents.
+  for (int k = i + 1; k < size(); ++k) {
+    if (parent(k) >= 0 && is_cut(parent(k))) times_[static_cast<std::size_t>(k)] = never;
+  }
+}
+
+bool Tree::is_cut(int i) const { return std::isnan(times_[static_cast<std::size_t>(i)]); }
+
 int Tree::nearest(double t, const std::vector<Vec3>& points, double time_step) {
   const std::size_t n = nodes_.size();
   squares_.assign(n, 0.0);

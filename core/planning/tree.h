@@ -32,6 +32,11 @@ class Tree {
   // tree that grows backward); the oldest of equals; -1 if there is none.
   int nearest(double t, const std::vector<Vec3>& points, double time_step);
 
+  // Takes node i, which is not the root, and all that grew from it out of later searches. Indices
+  // stay as they are.
+  void cut(int i);
+  bool is_cut(int i) const;
+
   Direction direction() const { return direction_; }
   int size() const { return static_cast<int>(nodes_.size()); }
   const Configuration& node(int i) const { return nodes_[static_cast<std::size_t>(i)]; }
@@ -42,7 +47,7 @@ class Tree {
   MetricWeights weights_;
   std::vector<Configuration> nodes_;
   std::vector<int> parents_;
-  std::vector<double> times_;
+  std::vector<double> times_;                     // NaN for nodes cut off
   std::vector<std::vector<double>> coordinates_;  // 3 a point: x, y, z; each one a node
   std::vector<double> squares_;                   // scratch of nearest()
 };

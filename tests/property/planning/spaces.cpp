@@ -227,7 +227,7 @@ std::vector<Problem> problems() {
            0.03});
     }
     p.clip =
-        wave(dofs({0.3, 0, 0, 0.3, 0, 0, 0}), dofs({-1.0, 0.05, 0, 0.8, 0, 0, 0}), 0, 1.3, 0.04);
+        wave(dofs({-0.9, 0.9, 0, 0.4, 0, 0, 0}), dofs({-1.0, 0.05, 0, 0.8, 0, 0, 0}), 0, 1.3, 0.04);
     set_ends(p, 0, 1.3);
     all.push_back(std::move(p));
   }
