@@ -91,6 +91,8 @@ struct SceneRenderer::Data {
   GpuModel* model(const std::shared_ptr<const Model>& wanted);
   void drop_unused_models();
   void collect(const Frame& frame);
+  // Deforms all figures and sets the view; `items` are then what is to be drawn.
+  void set_frame(const Frame& frame, const Camera& camera, const Style& style, double aspect);
   void deform_figures(const Frame& frame, const Vec3& origin);
   void upload_glow(const Frame& frame);
   void draw_shadow();
@@ -98,6 +100,7 @@ struct SceneRenderer::Data {
   void draw_surfaces(const Frame& frame, const Style& style);
   void draw_ghosts(const Frame& frame);
   void bind_maps() const;
+  std::vector<Pick> draw_ids(const Mat4& clip_from_world, int width, int height);
 };
 
 GpuModel* SceneRenderer::Data::model(const std::shared_ptr<const Model>& wanted) {
@@ -167,6 +170,20 @@ void SceneRenderer::Data::upload_glow(const Frame& frame) {
   }
   levels.resize((levels.size() + 3) / 4 * 4, 0);
   glow.write(levels.data(), levels.size());
+}
+
+void SceneRenderer::Data::set_frame(const Frame& frame, const Camera& camera, const Style& style,
+                                    double aspect) {
+  drop_unused_models();
+  collect(frame);
+  const Camera sound = sanitized(camera);
+  deform_figures(frame, sound.focus);
+  upload_glow(frame);
+  std::vector<Bounds> bodies;
+  for (const auto& item : items) bodies.push_back(figures[item.actor].bounds(item.mesh));
+  double size = frame.size;
+  if (!(size > 0) || !std::isfinite(size)) size = frame.world ? scene_size(*frame.world) : 1.0;
+  view = make_view(sound, style, frame, bodies, size, aspect);
 }
 
 void SceneRenderer::Data::draw_shadow() {
@@ -389,16 +406,7 @@ Status SceneRenderer::draw(const Frame& frame, const Camera& camera, const Style
                                 std::clamp(style.shadow_map_size, 16, largest));
   if (!sized) return sized;
 
-  d.drop_unused_models();
-  d.collect(frame);
-  const Camera sound = sanitized(camera);
-  d.deform_figures(frame, sound.focus);
-  d.upload_glow(frame);
-  std::vector<Bounds> bodies;
-  for (const auto& item : d.items) bodies.push_back(d.figures[item.actor].bounds(item.mesh));
-  double scene = frame.size;
-  if (!(scene > 0) || !std::isfinite(scene)) scene = frame.world ? scene_size(*frame.world) : 1.0;
-  d.view = make_view(sound, style, frame, bodies, scene, static_cast<double>(width) / height);
+  d.set_frame(frame, camera, style, static_cast<double>(width) / height);
   const FrameUniforms uniforms = make_uniforms(d.view, style, frame, width, height);
   d.uniforms.write(&uniforms, sizeof uniforms);
   glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, d.uniforms.name());
@@ -434,7 +442,7 @@ Status SceneRenderer::draw(const Frame& frame, const Camera& camera, const Style
     glDepthMask(GL_TRUE);
   }
   d.draw_ghosts(frame);
-  d.overlay->draw(frame, style, sound.focus);
+  d.overlay->draw(frame, style, d.view.camera.focus);
 
   glBlitNamedFramebuffer(d.buffers.picture.name(), d.buffers.resolved_target.name(), 0, 0, width,
                          height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
@@ -493,26 +501,15 @@ Picture SceneRenderer::read() const {
   return picture;
 }
 
-Pick SceneRenderer::pick(double x, double y) {
-  Data& d = *data_;
-  Pick result;
-  if (!d.drawn || !std::isfinite(x) || !std::isfinite(y)) return result;
-  const double width = d.buffers.width, height = d.buffers.height;
-  // The one pixel blown up to the whole of a 1 × 1 target.
-  const double ndc_x = 2.0 * x / width - 1.0, ndc_y = 1.0 - 2.0 * y / height;
-  Mat4 zoom(1.0);
-  zoom[0][0] = width;
-  zoom[1][1] = height;
-  zoom[3][0] = -ndc_x * width;
-  zoom[3][1] = -ndc_y * height;
-  const Mat4 clip_from_world = zoom * d.view.clip_from_world;
-  const GlTexture id = make_texture(GL_RGBA32UI, 1, 1);
-  const GlTexture depth = make_texture(GL_DEPTH_COMPONENT32F, 1, 1);
+std::vector<Pick> SceneRenderer::Data::draw_ids(const Mat4& clip_from_world, int width,
+                                                int height) {
+  const GlTexture id = make_texture(GL_RGBA32UI, width, height);
+  const GlTexture depth = make_texture(GL_DEPTH_COMPONENT32F, width, height);
   const GlFramebuffer target = make_framebuffer();
   glNamedFramebufferTexture(target.name(), GL_COLOR_ATTACHMENT0, id.name(), 0);
   glNamedFramebufferTexture(target.name(), GL_DEPTH_ATTACHMENT, depth.name(), 0);
   glBindFramebuffer(GL_FRAMEBUFFER, target.name());
-  glViewport(0, 0, 1, 1);
+  glViewport(0, 0, width, height);
   const GLuint nothing[4] = {0, 0, 0, 0};
   const float far = 1;
   glDepthMask(GL_TRUE);
@@ -521,30 +518,66 @@ Pick SceneRenderer::pick(double x, double y) {
   glEnable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
-  glUseProgram(d.pick.name());
+  glDisable(GL_SCISSOR_TEST);
+  glUseProgram(pick.name());
   const glm::mat4 matrix(clip_from_world);
   glUniformMatrix4fv(0, 1, GL_FALSE, &matrix[0][0]);
-  for (const auto& item : d.items) {
+  for (const auto& item : items) {
     glUniform2ui(1, static_cast<GLuint>(item.actor + 1), static_cast<GLuint>(item.mesh));
-    d.figures[item.actor].bind();
-    d.figures[item.actor].draw(*d.actor_models[item.actor], item.mesh);
+    figures[item.actor].bind();
+    figures[item.actor].draw(*actor_models[item.actor], item.mesh);
   }
-  GLuint found[4] = {0, 0, 0, 0};
-  glGetTextureImage(id.name(), 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, sizeof found, found);
+  const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  std::vector<GLuint> found(4 * count);
+  glGetTextureImage(id.name(), 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
+                    static_cast<GLsizei>(found.size() * sizeof(GLuint)), found.data());
   glDisable(GL_DEPTH_TEST);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glBindVertexArray(0);
   glUseProgram(0);
-  if (found[0] == 0) return result;
-  result.actor = static_cast<int>(found[0]) - 1;
-  result.mesh = static_cast<int>(found[1]);
-  result.triangle = static_cast<int>(found[2]);
-  float z = 0;
-  std::memcpy(&z, &found[3], sizeof z);
-  const glm::dvec4 world =
-      glm::inverse(d.view.clip_from_world) * glm::dvec4(ndc_x, ndc_y, 2.0 * double{z} - 1.0, 1.0);
-  result.place = d.view.camera.focus + Vec3(world) / world.w;
-  return result;
+
+  const Mat4 world_from_clip = glm::inverse(clip_from_world);
+  std::vector<Pick> picks(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const GLuint* pixel = &found[4 * i];
+    if (pixel[0] == 0) continue;
+    const int x = static_cast<int>(i) % width, y = static_cast<int>(i) / width;  // y upwards
+    Pick& pick = picks[static_cast<std::size_t>((height - 1 - y) * width + x)];
+    pick.actor = static_cast<int>(pixel[0]) - 1;
+    pick.mesh = static_cast<int>(pixel[1]);
+    pick.triangle = static_cast<int>(pixel[2]);
+    float z = 0;
+    std::memcpy(&z, &pixel[3], sizeof z);
+    const glm::dvec4 world =
+        world_from_clip * glm::dvec4(2.0 * (x + 0.5) / width - 1.0, 2.0 * (y + 0.5) / height - 1.0,
+                                     2.0 * double{z} - 1.0, 1.0);
+    pick.place = view.camera.focus + Vec3(world) / world.w;
+  }
+  return picks;
+}
+
+Pick SceneRenderer::pick(double x, double y) {
+  Data& d = *data_;
+  if (!d.drawn || !std::isfinite(x) || !std::isfinite(y)) return Pick();
+  // The one pixel blown up to the whole of a 1 × 1 target.
+  const double width = d.buffers.width, height = d.buffers.height;
+  const double ndc_x = 2.0 * x / width - 1.0, ndc_y = 1.0 - 2.0 * y / height;
+  Mat4 zoom(1.0);
+  zoom[0][0] = width;
+  zoom[1][1] = height;
+  zoom[3][0] = -ndc_x * width;
+  zoom[3][1] = -ndc_y * height;
+  return d.draw_ids(zoom * d.view.clip_from_world, 1, 1).front();
+}
+
+std::vector<Pick> SceneRenderer::pick_all(const Frame& frame, const Camera& camera,
+                                          const PictureSize& size) {
+  Data& d = *data_;
+  const int width = std::clamp(size.width, 1, 2048), height = std::clamp(size.height, 1, 2048);
+  Style style;
+  style.ground = false;
+  d.set_frame(frame, camera, style, static_cast<double>(width) / height);
+  return d.draw_ids(d.view.clip_from_world, width, height);
 }
 
 std::vector<Vec3> SceneRenderer::read_positions(int actor, int mesh) const {

@@ -59,6 +59,10 @@ class SceneRenderer {
   // ghosts and marks are not picked.
   Pick pick(double x, double y);
 
+  // The same for every pixel of a small picture, rows downwards, without drawing it: what a camera
+  // would see. The last picture stays, but pick() and read_positions() now speak of this frame.
+  std::vector<Pick> pick_all(const Frame& frame, const Camera& camera, const PictureSize& size);
+
   // Deformed positions of an actor of the last frame, world space, one per source vertex of the
   // mesh; empty if it has none. For tests and measuring; waits for the GPU.
   std::vector<Vec3> read_positions(int actor, int mesh) const;
