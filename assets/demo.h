@@ -19,10 +19,10 @@ inline constexpr const char* kDemoClip = "Walk between posts";  // walks 5 m alo
 
 // Where the umbrella (origin at its grip, shaft along +y) is held. The hand joint's axes are the
 // body's own (x left, y up, z ahead) when the forearm points ahead and the thumb up, so the grip is
-// a shift only: a little in front of the palm, at the roots of the fingers. Metres.
+// a shift only: in front of the palm. Metres.
 inline constexpr const char* kAttachJoint = "RightHand";
-inline constexpr double kGripX = 0.029, kGripY = 0.0, kGripZ = 0.083;
+inline constexpr double kGripX = 0.027, kGripY = 0.0, kGripZ = 0.072;
 // As the command line takes it.
-inline constexpr const char* kAttachArgument = "umbrella.glb@RightHand,0.029,0,0.083";
+inline constexpr const char* kAttachArgument = "umbrella.glb@RightHand,0.027,0,0.072";
 
 }  // namespace elbowroom::demo

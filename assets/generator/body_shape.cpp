@@ -50,11 +50,11 @@ struct BodyShape::Data {
              2.3};
 
   Loft upper_arm = limb(shoulder, elbow,
-                        {{-0.030, 0.046, 0.046},
-                         {0.000, 0.053, 0.053, 0.000, 0.002},
-                         {0.050, 0.0525, 0.052, 0.002, 0.003},
-                         {0.110, 0.0480, 0.049, 0.004, 0.002},
-                         {0.170, 0.0455, 0.0475, 0.004, 0.001},
+                        {{-0.030, 0.038, 0.040},
+                         {0.000, 0.0455, 0.0475, 0.000, 0.002},
+                         {0.050, 0.0475, 0.0490, 0.001, 0.003},
+                         {0.110, 0.0465, 0.0480, 0.003, 0.002},
+                         {0.170, 0.0445, 0.0465, 0.003, 0.001},
                          {0.230, 0.0415, 0.0420},
                          {0.290, 0.0385, 0.0380},
                          {0.365, 0.0375, 0.0375}});
@@ -142,8 +142,8 @@ struct BodyShape::Data {
     // A shop-window head: skull, face and jaw of one smooth egg; brow, nose and mouth only hinted
     // at, no eyes.
     double d = ellipsoid(p, {0, 1.668, -0.008}, {0.0740, 0.0820, 0.0935});
-    d = smooth_union(d, ellipsoid(p, {0, 1.617, 0.020}, {0.0585, 0.0830, 0.0720}), 0.045);
-    d = smooth_union(d, ellipsoid(p, {0, 1.5555, 0.058}, {0.030, 0.024, 0.030}), 0.050);
+    d = smooth_union(d, ellipsoid(p, {0, 1.618, 0.020}, {0.0570, 0.0820, 0.0690}), 0.045);
+    d = smooth_union(d, ellipsoid(p, {0, 1.5520, 0.060}, {0.024, 0.020, 0.024}), 0.050);
     // Corners of the jaw.
     d = smooth_union(d, ellipsoid(p, {0.044, 1.582, 0.010}, {0.014, 0.024, 0.026}), 0.040);
     // Sockets of the eyes, wide and shallow, so that brow and cheek show.
@@ -152,7 +152,7 @@ struct BodyShape::Data {
     d = smooth_union(d, tapered_capsule(p, {0, 1.655, 0.082}, {0, 1.6085, 0.0990}, 0.0055, 0.0095),
                      0.022);
     // Mouth: a soft swell.
-    d = smooth_union(d, ellipsoid(p, {0, 1.5745, 0.0800}, {0.024, 0.0120, 0.0105}), 0.022);
+    d = smooth_union(d, ellipsoid(p, {0, 1.5740, 0.0740}, {0.024, 0.0130, 0.0110}), 0.022);
     // Ears, lying close.
     const Quat tilt = quat_from_rotation_vector(Vec3(0.0, 0.35, 0.12));
     const Vec3 ear = glm::conjugate(tilt) * (p - Vec3(0.0715, 1.630, -0.010));
@@ -160,12 +160,21 @@ struct BodyShape::Data {
     return d;
   }
 
+  // An ellipsoid and its mirror image, joined so that no seam shows in the middle.
+  static double both(const Vec3& p, const Vec3& centre, const Vec3& radii) {
+    return smooth_union(ellipsoid(p, centre, radii),
+                        ellipsoid(p, Vec3(-centre.x, centre.y, centre.z), radii), 0.060);
+  }
+
   double trunk(const Vec3& p) const {
     double d = torso(p);
     // Chest, shoulder blades, seat, the slope from the neck to the shoulder.
-    d = smooth_union(d, ellipsoid(p, {0.078, 1.318, 0.062}, {0.082, 0.062, 0.040}), 0.050);
-    d = smooth_union(d, ellipsoid(p, {0.085, 1.340, -0.098}, {0.070, 0.085, 0.030}), 0.060);
-    d = smooth_union(d, ellipsoid(p, {0.078, 0.905, -0.074}, {0.082, 0.085, 0.062}), 0.050);
+    d = smooth_union(d, both(p, {0.072, 1.330, 0.052}, {0.088, 0.070, 0.042}), 0.060);
+    d = smooth_union(d, both(p, {0.080, 1.335, -0.092}, {0.075, 0.090, 0.030}), 0.070);
+    d = smooth_union(d, ellipsoid(p, {0.074, 0.908, -0.070}, {0.084, 0.085, 0.060}), 0.060);
+    // Cloth spans the cleft and the fork.
+    d = smooth_union(d, ellipsoid(p, {0, 0.890, -0.050}, {0.060, 0.090, 0.070}), 0.050);
+    d = smooth_union(d, ellipsoid(p, {0, 0.860, 0.020}, {0.060, 0.060, 0.065}), 0.050);
     d = smooth_union(
         d, tapered_capsule(p, {0.020, 1.490, -0.034}, {0.165, 1.428, -0.020}, 0.034, 0.043), 0.060);
     d = smooth_union(d, tapered_capsule(p, {0, 1.44, -0.034}, {0, 1.585, -0.012}, 0.060, 0.0535),
@@ -212,8 +221,7 @@ struct BodyShape::Data {
     double d = join(p, elbow, along, 0.035, upper_arm(p), forearm(p));
     // The round of the shoulder.
     d = smooth_union(
-        d, ellipsoid(p, shoulder + Vec3(0.002, -0.004, 0.000), Vec3(0.0500, 0.0520, 0.0530)),
-        0.030);
+        d, ellipsoid(p, shoulder + Vec3(0.001, -0.002, 0.0), Vec3(0.043, 0.045, 0.047)), 0.030);
     // The point of the elbow.
     d = smooth_union(d, ellipsoid(p, elbow + Vec3(-0.004, -0.004, -0.026), Vec3(0.014)), 0.022);
     const double far = hand_bounds.distance(p);

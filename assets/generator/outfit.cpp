@@ -43,8 +43,8 @@ Surface cut_outfit(const Surface& surface, const BodyShape& shape) {
 }
 
 std::vector<GlbMaterial> outfit_materials() {
-  return {{"Skin", {0.62f, 0.55f, 0.48f}, 0.60f, 0.0f, false},
-          {"Shirt", {0.55f, 0.56f, 0.56f}, 0.85f, 0.0f, false},
+  return {{"Skin", {0.56f, 0.41f, 0.31f}, 0.60f, 0.0f, false},
+          {"Shirt", {0.58f, 0.57f, 0.54f}, 0.85f, 0.0f, false},
           {"Trousers", {0.085f, 0.125f, 0.18f}, 0.85f, 0.0f, false},
           {"Shoes", {0.30f, 0.17f, 0.09f}, 0.55f, 0.0f, false}};
 }

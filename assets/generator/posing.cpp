@@ -166,10 +166,21 @@ void Poser::grip_hand(double side, const Vec3& stick, double radius) {
       for (int k = i + 1; k < 4; ++k) p[k] = p[i] + turn * (p[k] - p[i]);
     }
   }
-  set_local(s + "Thumb1",
-            turn_z(side * 0.0) * turn_y(-side * 30.0 * degrees) * turn_x(12.0 * degrees));
-  set_local(s + "Thumb2", turn_y(-side * 15.0 * degrees) * turn_x(18.0 * degrees));
-  set_local(s + "Thumb3", turn_x(30.0 * degrees));
+  // The thumb closes above the index finger round the other side of the stick: a bone each past it,
+  // over it and behind it. Along the hand, to the thumb's side, out of the palm.
+  const Vec3 wanted[3] = {{0.60, 0.58, 0.51}, {0.72, -0.02, 0.69}, {0.74, -0.12, -0.66}};
+  Quat before(1, 0, 0, 0);
+  for (int i = 0; i < 3; ++i) {
+    const auto into_hand = [&](Vec3 world) {
+      world.x *= side;
+      return glm::normalize(hand_from_world * world);
+    };
+    const Vec3 bone = into_hand(fingers[0].points[i + 1] - fingers[0].points[i]);
+    const Vec3 to = into_hand(frame.point(wanted[i].x, wanted[i].y, wanted[i].z) - frame.wrist);
+    const Quat turn = shortest_rotation(before * bone, to) * before;
+    set_local(s + "Thumb" + std::to_string(i + 1), glm::conjugate(before) * turn);
+    before = turn;
+  }
 }
 
 }  // namespace elbowroom::demo
