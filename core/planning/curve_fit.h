@@ -40,7 +40,7 @@ struct CurveSettings {
   EdgeResolution resolution{0.02, 1.0 / 240.0};  // of the checks; finer than the search's
   double acceleration_time = 0.20;  // T_a, seconds: over about this long a detour fades
   double jerk_time = 0.12;          // T_j, seconds
-  double worthwhile = 1e-3;         // share of E that a step must save to be tested
+  double worthwhile = 0.01;         // share of E that a step must save to be tested
   std::int64_t max_trials = 400;
   std::int64_t max_consecutive_failures = 80;
   std::uint64_t seed = 1;
