@@ -48,9 +48,9 @@ struct RenderOptions {
   SceneOptions scene;
   std::string times;
   std::string out;
-  int columns = 0;                // 0: chosen
-  int width = 480, height = 600;  // of one frame, pixels
-  std::string compare_clip;       // a second row that plays this clip
+  int columns = 0;            // 0: chosen
+  int width = 0, height = 0;  // of one frame, pixels; 0: chosen
+  std::string compare_clip;   // a second row that plays this clip
 };
 int run_render(const RenderOptions& options);
 

@@ -114,11 +114,13 @@ int main(int argc, char** argv) {
   render_command->add_option("-o,--out", render.out, "the picture")
       ->type_name("STRIP.png")
       ->required();
-  render_command->add_option("--columns", render.columns, "frames in a row (default: all, up to 8)")
+  render_command->add_option("--columns", render.columns, "frames in a row (default: all, up to 6)")
       ->check(CLI::Range(1, 64));
-  render_command->add_option("--width", render.width, "of a frame, pixels (default 480)")
+  render_command
+      ->add_option("--width", render.width, "of a frame, pixels (default: to suit the motion)")
       ->check(CLI::Range(32, 4096));
-  render_command->add_option("--height", render.height, "of a frame, pixels (default 600)")
+  render_command
+      ->add_option("--height", render.height, "of a frame, pixels (default: to suit the motion)")
       ->check(CLI::Range(32, 4096));
   render_command
       ->add_option("--compare", render.compare_clip,
