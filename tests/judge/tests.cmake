@@ -5,7 +5,7 @@ find_path(FCL_INCLUDE_DIR fcl/fcl.h REQUIRED)
 find_library(FCL_LIBRARY fcl REQUIRED)
 find_library(CCD_LIBRARY ccd REQUIRED)
 find_package(CGAL REQUIRED)
-find_package(Eigen3 REQUIRED)
+find_package(Eigen3 REQUIRED NO_MODULE)
 
 file(GLOB judge_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/judge*.cpp)
 add_library(elbowroom_judge STATIC ${judge_sources})
