@@ -138,8 +138,9 @@ void promote_if_needed(const std::vector<Quat>& rotations, const std::string& na
                        const char* turns, JointModel& joint, std::vector<std::string>& notes) {
   const ResidualSize size = residual_size(joint, rotations);
   if (size.median <= kMedianResidual && size.high <= kHighResidual) return;
-  char text[160];
-  std::snprintf(text, sizeof text, " %s in the clips (by %.0f° in the median, %.0f° at most times)",
+  char text[200];
+  std::snprintf(text, sizeof text,
+                " %s in the clips (by %.0f° in the median, up to %.0f° in 99 %% of the time)",
                 turns, size.median / kDegree, size.high / kDegree);
   notes.push_back("'" + name + "'" + text + ": it is modelled with three DOFs");
   joint.kind = JointModelKind::ball;
@@ -201,6 +202,8 @@ Result<MiddleFit> fit_middle(const Rig& rig, LimbModel& fitted, const Vec3& uppe
   const std::vector<Quat> rotations = clip_rotations(rig.model, index);
   for (const Quat& rotation : rotations) evidence.clips.push_back(rotation * bone);
 
+  evidence.median_allowed = kMedianResidual;
+  evidence.high_allowed = kHighResidual;
   const FlexionAxis found = find_flexion_axis(evidence);
   fitted.flexion_axis_from = found.from;
   const Vec3 straight_y = glm::cross(found.axis, evidence.upper);
