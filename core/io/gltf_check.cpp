@@ -9,7 +9,7 @@
 namespace elbowroom::gltf {
 namespace {
 
-void check_asset(const CheckState& state) {
+void check_asset(CheckState& state) {
   const Json* asset = member(state.document, "asset");
   const Json* version = asset ? member(*asset, "version") : nullptr;
   if (!version || !version->is_string()) {
@@ -21,12 +21,18 @@ void check_asset(const CheckState& state) {
     refuse(state.access.file(), "it is glTF " + excerpt(text, 20) + "; only 2.x is read",
            "convert it to glTF 2.0");
   }
+  // Later minor versions keep to this one's structure, so what they need beyond it is at most lost.
   const Json* least = member(*asset, "minVersion");
-  if (least && least->is_string() && least->get<std::string>() != "2.0") {
+  if (!least || !least->is_string()) return;
+  const std::string needed = least->get<std::string>();
+  if (needed.rfind("2.", 0) != 0) {
     refuse(state.access.file(),
-           "it needs a reader of glTF " + excerpt(least->get<std::string>(), 20) +
-               "; this one reads 2.0",
-           "export it as glTF 2.0");
+           "it needs a reader of glTF " + excerpt(needed, 20) + "; only 2.x is read",
+           "convert it to glTF 2.0");
+  }
+  if (needed != "2.0") {
+    state.out.warnings.push_back("it asks for a reader of glTF " + excerpt(needed, 20) +
+                                 "; it is read as 2.0");
   }
 }
 
