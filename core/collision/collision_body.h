@@ -58,6 +58,8 @@ class CollisionBody {
   const CollisionMesh& mesh() const { return *mesh_; }
   // Takes mesh() to the query space (world minus origin); the identity for a deforming body.
   const RigidTransform& query_from_body() const { return query_from_body_; }
+  // Of a rigid body: where the mesh's own origin is in the frame node's rigid frame.
+  const Vec3& centre() const { return centre_; }
   const Box& box() const { return box_; }  // in the query space
 
   const std::vector<BodyTriangle>& triangles() const { return triangles_; }

@@ -18,9 +18,9 @@ namespace elbowroom {
 struct CollisionSettings {
   double epsilon = 1e-5;            // × height: in contact at or below
   double clearance = 0.005 / 1.75;  // × height: kept while planning
-  double joint_radius = 0.06;       // × height: geodesic radius of allowed contact about a joint that
-                                    // two parts share
-  double patch_size = 0.03;         // × height: diameter of an allowed-contact patch
+  double joint_radius = 0.06;  // × height: geodesic radius of allowed contact about a joint that
+                               // two parts share
+  double patch_size = 0.03;    // × height: diameter of an allowed-contact patch
 };
 
 enum class AllowedReason { shared_joint, bind_pose, clip, support };
@@ -28,10 +28,10 @@ const char* allowed_reason_id(AllowedReason reason);
 
 // One pair of parts in contact at one time.
 struct ContactSample {
-  int limb = -1;            // index of the limb involved (the first, if both are), -1: none
+  int limb = -1;               // index of the limb involved (the first, if both are), -1: none
   std::string part_a, part_b;  // "Ada/RightForeArm", "umbrella.glb/Canopy"; the limb's side first
-  Vec3 place{0.0};          // world
-  double depth = 0;         // scene units; 0 for surfaces that only touch or cross openly
+  Vec3 place{0.0};             // world
+  double depth = 0;            // scene units; 0 for surfaces that only touch or cross openly
   bool allowed = false;
   AllowedReason reason = AllowedReason::shared_joint;
 };
@@ -46,8 +46,8 @@ struct AllowedContacts {
   struct Entry {
     std::string part_a, part_b;
     AllowedReason reason;
-    int patches = 0;      // pairs of patches
-    double depth = 0;     // deepest the clip has it, scene units
+    int patches = 0;   // pairs of patches
+    double depth = 0;  // deepest the clip has it, scene units
   };
   std::vector<Entry> entries;
 };
@@ -55,7 +55,8 @@ struct AllowedContacts {
 class SceneCollision {
  public:
   // `limbs` of world.actors[actor]'s character `character`, in the order of their indices below.
-  // Rests on the world's clips for clip-contact patches, over [begin, end]. Cost: a scan of the clip.
+  // Rests on the world's clips for clip-contact patches, over [begin, end]. Cost: a scan of the
+  // clip.
   static Result<SceneCollision> build(World world, int actor, int character,
                                       std::vector<LimbModel> limbs, double begin, double end,
                                       const CollisionSettings& settings);

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "core/collision/planning_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <utility>
+
+#include "core/animation/affine.h"
+
+namespace elbowroom {
+namespace {
+
+void bound(PlanningPart& part) {
+  const auto positions = part.mesh->positions();
+  if (positions.empty()) return;
+  Vec3 low(positions[0]), high = low;
+  for (const glm::vec3& p : positions) low = glm::min(low, Vec3(p)), high = glm::max(high, Vec3(p));
+  part.centre = 0.5 * (low + high);
+  for (const glm::vec3& p : positions)
+    part.radius = std::max(part.radius, glm::distance(Vec3(p), part.centre));
+}
+
+// Scale or morphs that a clip changes need a shape of the window's own.
+bool changes_shape(const Actor& actor, const CollisionBody& body) {
+  if (!actor.clip) return false;
+  return std::any_of(actor.clip->channels.begin(), actor.clip->channels.end(), [&](const auto& c) {
+    return c.path == Path::weights ||
+           (c.path == Path::scale && c.joint >= 0 &&
+            actor.model->skeleton.is_within(body.frame_node(), c.joint)) ||
+           (c.joint >= 0 && actor.model->skeleton.is_within(c.joint, body.frame_node()) &&
+            c.joint != body.frame_node());
+  });
+}
+
+}  // namespace
+
+std::vector<PlanningPart> planning_parts(const SceneCollision::Data& scene, const World& world,
+                                         int limb, double t_init,
+                                         const std::vector<std::vector<int>>& link) {
+  std::vector<PlanningPart> parts;
+  std::vector<ActorState> states;
+  world_state_at(world, t_init, states);
+  const Model& view = *world.actors[static_cast<std::size_t>(scene.actor)].model;
+  const Character& figure = view.characters[static_cast<std::size_t>(scene.character)];
+  const std::vector<Mat4> bind = bind_globals(view, figure);
+  const Pose rest = rest_pose(view.skeleton);
+
+  std::vector<Vec3> deformed;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const CollisionBody& body = scene.bodies[b];
+    const BodyRole& role = scene.roles[b];
+    const Actor& actor = world.actors[static_cast<std::size_t>(body.actor())];
+    const Model& model = *actor.model;
+    const ActorState& state = states[static_cast<std::size_t>(body.actor())];
+    const bool of_limb = role.own && scene.in_limb(role.side.limb, limb);
+
+    if (!body.deforms() && !changes_shape(actor, body)) {
+      PlanningPart part;
+      part.mesh = &body.mesh();
+      part.body = static_cast<int>(b);
+      part.actor = body.actor();
+      part.node = body.frame_node();
+      part.node_from_part.translation = body.centre();
+      part.of_limb = of_limb;
+      part.segment = role.side.segment;
+      part.patch_of = body.patch_of();
+      part.name = scene.parts[static_cast<std::size_t>(body.triangles().front().part)];
+      bound(part);
+      parts.push_back(std::move(part));
+      continue;
+    }
+
+    // Where every vertex is, in the world at t_init; the limb's in the bind pose's shape.
+    std::map<int, std::vector<Vec3>> places;  // by mesh
+    for (const BodyTriangle& t : body.triangles()) {
+      if (places.contains(t.mesh)) continue;
+      const Mesh& mesh = model.meshes[static_cast<std::size_t>(t.mesh)];
+      if (of_limb && body.deforms())
+        deform(model, mesh, rest, bind, deformed);
+      else
+        deform(model, mesh, state.pose, state.world_from_joint, deformed);
+      places.emplace(t.mesh, deformed);
+    }
+    const std::vector<int>& links = link[static_cast<std::size_t>(body.actor())];
+    std::map<int, std::vector<std::uint32_t>> pieces;  // by link
+    for (std::uint32_t t = 0; t < body.triangles().size(); ++t)
+      pieces[links[static_cast<std::size_t>(body.triangles()[t].joint)]].push_back(t);
+    for (const auto& [node, triangles] : pieces) {
+      PlanningPart part;
+      part.body = static_cast<int>(b);
+      part.actor = body.actor();
+      part.node = node;
+      part.of_limb = of_limb;
+      part.deforms = body.deforms();
+      part.segment = role.side.segment;
+      const RigidTransform part_from_world =
+          inverse(rigid_frame(state.world_from_joint[static_cast<std::size_t>(node)]));
+      std::vector<glm::vec3> positions;
+      std::vector<glm::uvec3> indices;
+      // From the bind pose to t_init, by joint: those of this piece as they stand to each other (a
+      // fist stays closed), all others as if they moved with it.
+      std::map<int, Mat4> world_from_bind;
+      const auto from_bind = [&](int joint) -> const Mat4& {
+        const int moves_with = links[static_cast<std::size_t>(joint)] == node ? joint : node;
+        const auto [at, made] = world_from_bind.try_emplace(moves_with);
+        if (made) {
+          const auto j = static_cast<std::size_t>(moves_with);
+          at->second = state.world_from_joint[j] * glm::inverse(bind[j]);
+        }
+        return at->second;
+      };
+      std::map<std::pair<int, std::uint32_t>, std::uint32_t> number;
+      bool finite = true;
+      int named = body.triangles()[triangles.front()].part;
+      for (const std::uint32_t t : triangles) {
+        const BodyTriangle& source = body.triangles()[t];
+        const Mesh& mesh = model.meshes[static_cast<std::size_t>(source.mesh)];
+        if (source.joint == node) named = source.part;
+        glm::uvec3 corner;
+        for (int k = 0; k < 3; ++k) {
+          const std::uint32_t v = mesh.triangles[source.triangle][k];
+          const auto [at, fresh] =
+              number.try_emplace({source.mesh, v}, static_cast<std::uint32_t>(positions.size()));
+          corner[k] = at->second;
+          if (!fresh) continue;
+          Vec3 p = places.at(source.mesh)[v];
+          if (of_limb && body.deforms()) {
+            Vec3 sum(0.0);
+            for (std::uint32_t i = mesh.influence_begin[v]; i < mesh.influence_begin[v + 1]; ++i)
+              sum += static_cast<double>(mesh.influences[i].weight) *
+                     transform_point(from_bind(mesh.influences[i].joint), p);
+            p = sum;
+          }
+          p = part_from_world * p;
+          finite = finite && std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+          positions.emplace_back(p);
+        }
+        indices.push_back(corner);
+        part.patch_of.push_back(body.patch_of()[t]);
+      }
+      if (!finite) continue;
+      // Pieces of skin stay open here: what is inside one has crossed it on its way.
+      auto mesh = CollisionMesh::build(positions, indices);
+      if (!mesh) continue;
+      part.own = std::make_shared<CollisionMesh>(std::move(mesh).value());
+      part.mesh = part.own.get();
+      part.name = scene.parts[static_cast<std::size_t>(named)];
+      bound(part);
+      parts.push_back(std::move(part));
+    }
+  }
+  return parts;
+}
+
+}  // namespace elbowroom

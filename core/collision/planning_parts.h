@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// The rigid pieces a world is taken apart into for planning one limb over one window.
+//
+// The limb's pieces have the bind pose's shape in their joint's rigid frame; those of everything
+// else that deforms have the skin as it is at the window's beginning. Rigid things are themselves.
+// Scale is baked as it is at the window's beginning.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/collision/scene_collision_data.h"
+
+namespace elbowroom {
+
+struct PlanningPart {
+  const CollisionMesh* mesh = nullptr;  // own's, or the scene's for rigid things
+  std::shared_ptr<CollisionMesh> own;
+  std::string name;
+  int body = -1;                        // in the scene
+  int actor = -1, node = -1;            // what it follows
+  RigidTransform node_from_part;        // identity but for the scene's own bodies
+  bool of_limb = false;                 // of the limb being planned (not what it carries)
+  bool deforms = false;                 // cut from a skin
+  int segment = -1;                     // of its limb
+  std::vector<std::uint16_t> patch_of;  // by triangle; the body's patch numbers
+  Vec3 centre{0.0};                     // bounding sphere, part frame
+  double radius = 0;
+};
+
+// `link`: rigid links of the actor in view and of the others, by actor (rigid_links.h).
+// Pieces whose shape is not finite are left out: no contact can be decided for them.
+std::vector<PlanningPart> planning_parts(const SceneCollision::Data& scene, const World& world,
+                                         int limb, double t_init,
+                                         const std::vector<std::vector<int>>& link);
+
+}  // namespace elbowroom
