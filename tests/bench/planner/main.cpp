@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+// elbowroom_bench [--seeds N] [--problem NAME] [--range R]: our planner beside OMPL RRTConnect +
+// FCL.
+//
+// One thread, one run, one seed a row's sample. Both sides get the same parts, pairs, placements,
+// limits, speed limits and edge resolution. "Truly free" is FCL's verdict (OBBRSS, double) on the
+// rigid parts every millisecond.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/planning/curve_fit.h"
+#include "core/planning/planner.h"
+#include "core/planning/smoothing.h"
+#include "peer.h"
+#include "problems.h"
+
+namespace elbowroom::bench {
+namespace {
+
+struct Options {
+  int seeds = 100;
+  std::string problem;
+  double range = 0.8;
+};
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  const auto k = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5);
+  return values[k];
+}
+
+// One planner on one problem, over all seeds.
+struct Row {
+  std::string name;
+  int runs = 0, solved = 0, first_free = 0, smooth_free = 0, curves = 0, curves_free = 0;
+  std::vector<double> checks_first, checks_smooth, ms_first, ms_smooth;  // smooth: first included
+  std::vector<double> checks_curve, ms_curve;                            // all three included
+  std::vector<double> peak_jump;  // of velocity, rad/s, at the smoothed path's corners and ends
+};
+
+bool truly_free(FclWorld& judge, double begin, double end,
+                const std::function<Dofs(double)>& motion) {
+  const int n = static_cast<int>((end - begin) * 1000);
+  for (int k = 0; k <= n; ++k) {
+    const double t = begin + (end - begin) * k / std::max(1, n);
+    if (!judge.free({motion(t), t})) return false;
+  }
+  return true;
+}
+
+bool path_free(FclWorld& judge, const std::vector<Configuration>& path) {
+  return truly_free(judge, path.front().t, path.back().t,
+                    [&path](double t) { return path_at(path, t).q; });
+}
+
+double velocity_jump(const Problem& p, const std::vector<Configuration>& path) {
+  double most = 0;
+  const auto slope = [&](std::size_t i, int d) {  // of the edge that ends in landmark i
+    if (i == 0) return p.velocity_init[d];
+    if (i == path.size()) return p.velocity_goal[d];
+    return (path[i].q[d] - path[i - 1].q[d]) / (path[i].t - path[i - 1].t);
+  };
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    for (int d = 0; d < p.space.count(); ++d) {
+      most = std::max(most, std::abs(slope(i + 1, d) - slope(i, d)));
+    }
+  }
+  return most;
+}
+
+Row run_ours(const Problem& p, const std::string& name, double clearance, FclWorld& judge,
+             const Options& options) {
+  Row row;
+  row.name = name;
+  const auto world = p.planning_space(clearance);
+  for (int seed = 1; seed <= options.seeds; ++seed) {
+    ++row.runs;
+    PlannerSettings settings;
+    settings.seed = static_cast<std::uint64_t>(seed);
+    const PlannerResult found =
+        plan(*world, {&p.space, p.init(), p.goal(), p.length_unit}, settings);
+    if (found.status != PlannerStatus::solved) continue;
+    ++row.solved;
+    SmoothingSettings smoothing;
+    smoothing.seed = settings.seed;
+    const SmoothingResult smooth = smooth_path(*world, found.path, smoothing);
+    CurveQuery query;
+    query.space = &p.space;
+    query.path = smooth.path;
+    query.velocity_init = p.velocity_init;
+    query.velocity_goal = p.velocity_goal;
+    query.reference = [&p](double t) { return p.track->at(t).q; };
+    CurveSettings curve_settings;
+    curve_settings.seed = settings.seed;
+    const CurveResult fitted = fit_curve(*world, query, curve_settings);
+
+    double checks = static_cast<double>(found.stats.checks.validity_checks);
+    double ms = found.milliseconds;
+    row.checks_first.push_back(checks);
+    row.ms_first.push_back(ms);
+    row.checks_smooth.push_back(checks += static_cast<double>(smooth.checks.validity_checks));
+    row.ms_smooth.push_back(ms += smooth.milliseconds);
+    row.checks_curve.push_back(checks += static_cast<double>(fitted.checks.validity_checks));
+    row.ms_curve.push_back(ms += fitted.milliseconds);
+    row.first_free += path_free(judge, found.path);
+    row.smooth_free += path_free(judge, smooth.path);
+    row.peak_jump.push_back(velocity_jump(p, smooth.path));
+    if (fitted.status == CurveStatus::solved) {
+      ++row.curves;
+      row.curves_free +=
+          truly_free(judge, p.begin, p.end, [&](double t) { return fitted.curve.value(t); });
+    }
+  }
+  return row;
+}
+
+Row run_theirs(const Problem& p, const std::string& name, BoxKind kind, FclWorld& judge,
+               const Options& options) {
+  Row row;
+  row.name = name;
+  const auto space = p.planning_space(0);
+  const auto world = make_fcl_world(*space, kind);
+  for (int seed = 1; seed <= options.seeds; ++seed) {
+    ++row.runs;
+    PeerSettings settings;
+    settings.range = options.range;
+    settings.resolution = PlannerSettings{}.resolution;
+    settings.seed = static_cast<std::uint64_t>(seed);
+    const PeerRun run = run_peer(p, *world, settings);
+    if (!run.solved) continue;
+    ++row.solved;
+    row.checks_first.push_back(static_cast<double>(run.checks_plan));
+    row.ms_first.push_back(run.ms_plan);
+    row.checks_smooth.push_back(static_cast<double>(run.checks_plan + run.checks_smooth));
+    row.ms_smooth.push_back(run.ms_plan + run.ms_smooth);
+    row.first_free += path_free(judge, run.first);
+    row.smooth_free += path_free(judge, run.smooth);
+    row.peak_jump.push_back(velocity_jump(p, run.smooth));
+  }
+  return row;
+}
+
+void print(const std::vector<Row>& rows) {
+  std::printf("  %-26s %7s  %15s  %15s  %17s  %17s  %8s\n", "", "solved", "free at 1 ms",
+              "checks, median", "first path, ms", "smoothed, ms", "v jump");
+  std::printf("  %-26s %7s  %7s %7s  %7s %7s  %8s %8s  %8s %8s  %8s\n", "", "", "first", "smooth",
+              "first", "smooth", "median", "p95", "median", "p95", "rad/s");
+  for (const Row& r : rows) {
+    std::printf("  %-26s %3d/%-3d  %7d %7d  %7.0f %7.0f  %8.2f %8.2f  %8.2f %8.2f  %8.2f\n",
+                r.name.c_str(), r.solved, r.runs, r.first_free, r.smooth_free,
+                quantile(r.checks_first, 0.5), quantile(r.checks_smooth, 0.5),
+                quantile(r.ms_first, 0.5), quantile(r.ms_first, 0.95), quantile(r.ms_smooth, 0.5),
+                quantile(r.ms_smooth, 0.95), quantile(r.peak_jump, 0.5));
+  }
+  for (const Row& r : rows) {
+    if (r.checks_curve.empty()) continue;
+    std::printf(
+        "  %-26s with its C2 curve: %d/%d, free at 1 ms %d; %.0f checks, %.2f ms median, "
+        "%.2f ms p95\n",
+        r.name.c_str(), r.curves, r.runs, r.curves_free, quantile(r.checks_curve, 0.5),
+        quantile(r.ms_curve, 0.5), quantile(r.ms_curve, 0.95));
+  }
+  const Row& ours = rows.front();
+  for (const Row& r : rows) {
+    if (!r.checks_curve.empty()) continue;
+    std::printf(
+        "  %s takes %.2f times as long as ours (clearance 0) to the first path, %.2f times "
+        "to the smoothed one (p95: %.2f, %.2f)\n",
+        r.name.c_str(), quantile(r.ms_first, 0.5) / quantile(ours.ms_first, 0.5),
+        quantile(r.ms_smooth, 0.5) / quantile(ours.ms_smooth, 0.5),
+        quantile(r.ms_first, 0.95) / quantile(ours.ms_first, 0.95),
+        quantile(r.ms_smooth, 0.95) / quantile(ours.ms_smooth, 0.95));
+  }
+  std::printf("\n");
+}
+
+int run(const Options& options) {
+  bool failed = false;
+  for (auto& entry : problems()) {
+    if (!entry) {
+      std::printf("%s\n\n", entry.error().message().c_str());
+      failed = true;
+      continue;
+    }
+    const Problem& p = *entry;
+    if (!options.problem.empty() && p.name != options.problem) continue;
+    const auto space = p.planning_space(0);
+    std::printf(
+        "%s: %s\n  window %.3f to %.3f s, %d DOFs, %zu parts, %zu pairs, %zu triangles of "
+        "limb and load against %zu\n",
+        p.name.c_str(), p.about.c_str(), p.begin, p.end, p.space.count(), space->parts().size(),
+        space->pairs().size(), p.triangles_limb, p.triangles_rest);
+    const auto judge = make_fcl_world(*space, BoxKind::obbrss_double);
+    int hits = 0, ours_says = 0;
+    for (int k = 0; k <= 1000; ++k) {
+      const double t = p.begin + (p.end - p.begin) * k / 1000.0;
+      const Configuration c{p.track->at(t).q, t};
+      hits += !judge->free(c);
+      ours_says += !space->valid(c);
+    }
+    std::printf("  the clip itself collides in %d of 1001 samples by FCL, %d by ours\n", hits,
+                ours_says);
+    const double clearance = p.scene->settings().clearance * p.scene->height();
+    std::vector<Row> rows;
+    rows.push_back(run_ours(p, "ours, clearance 0", 0, *judge, options));
+    rows.push_back(run_ours(p, "ours, as shipped", clearance, *judge, options));
+    rows.push_back(
+        run_theirs(p, "OMPL + FCL OBBRSS double", BoxKind::obbrss_double, *judge, options));
+    rows.push_back(run_theirs(p, "OMPL + FCL OBB float", BoxKind::obb_float, *judge, options));
+    print(rows);
+    std::fflush(stdout);
+  }
+  return failed ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace elbowroom::bench
+
+int main(int argc, char** argv) {
+  elbowroom::bench::Options options;
+  for (int i = 1; i < argc; ++i) {
+    const bool more = i + 1 < argc;
+    if (more && std::strcmp(argv[i], "--seeds") == 0) {
+      options.seeds = std::max(1, std::atoi(argv[++i]));
+    } else if (more && std::strcmp(argv[i], "--problem") == 0) {
+      options.problem = argv[++i];
+    } else if (more && std::strcmp(argv[i], "--range") == 0) {
+      options.range = std::atof(argv[++i]);
+    } else {
+      std::fprintf(stderr, "usage: elbowroom_bench [--seeds N] [--problem NAME] [--range R]\n");
+      return 1;
+    }
+  }
+  return elbowroom::bench::run(options);
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The peer: OMPL's RRTConnect with FCL deciding collisions, on the very parts, pairs, placements,
+// limits and speed limits that our own planner is given.
+//
+// State space: R^n of the limb's parameters plus time. Motions are directed (time must advance, the
+// speed limits hold) and tested by bisection at the resolution given; nearest neighbours are looked
+// for linearly, as ours are. FCL knows no clearance short of a distance query (over 100 times as
+// dear), so the peer keeps none.
+//
+// Allowed contacts: FCL has no filter on triangles. A pair of parts with allowed patches is tested
+// without the triangles that the allowance concerns on both sides, which leaves the peer less to
+// test, and to avoid, than ours has.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/planning/interpolation.h"
+#include "problems.h"
+
+namespace elbowroom::bench {
+
+// FCL's verdict on a configuration: an independent one, used by the peer and as the judge of both.
+class FclWorld {
+ public:
+  virtual ~FclWorld() = default;
+  virtual bool free(const Configuration& c) = 0;
+};
+
+enum class BoxKind { obbrss_double, obb_float };
+std::unique_ptr<FclWorld> make_fcl_world(LimbPlanningSpace& space, BoxKind kind);
+
+struct PeerSettings {
+  double range = 0.8;  // RRTConnect's, in the norm of (parameters, time)
+  EdgeResolution resolution{0.04, 1.0 / 90.0};
+  int shortcuts = 100;
+  double max_seconds = 10;
+  std::uint64_t seed = 1;
+};
+
+struct PeerRun {
+  bool solved = false;
+  std::int64_t checks_plan = 0, checks_smooth = 0;
+  double ms_plan = 0, ms_smooth = 0;
+  std::vector<Configuration> first, smooth;
+};
+
+PeerRun run_peer(const Problem& problem, FclWorld& world, const PeerSettings& settings);
+
+}  // namespace elbowroom::bench
