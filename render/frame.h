@@ -31,7 +31,7 @@ struct ContactMark {
 // Triangles in the problem colour: those in contact, by index in the Mesh.
 struct TriangleGlow {
   int actor = -1, mesh = -1;
-  std::vector<std::uint8_t> levels;  // one a triangle, 0 to 255; shorter: the rest is 0
+  std::vector<std::uint8_t> levels{};  // one a triangle, 0 to 255; shorter: the rest is 0
 };
 
 // Another state of an actor (or of another version of it), translucent: an alternative, the clip
@@ -42,7 +42,7 @@ struct Ghost {
   const ActorState* state = nullptr;
   Rgb colour = 0xa78bfa;
   float opacity = 0.55f;
-  std::vector<float> parts;  // by node, [0, 1]: only these joints' parts; empty: the whole figure
+  std::vector<float> parts{};  // by node, [0, 1]: only these joints' parts; empty: the whole figure
 };
 
 // A polyline: the way of a hand.

@@ -61,13 +61,17 @@ std::vector<glm::vec3> corner_normals(const std::vector<glm::vec3>& positions,
                              glm::dvec3(positions[triangles[t][1]]),
                              glm::dvec3(positions[triangles[t][2]])};
     const glm::dvec3 cross = glm::cross(p[1] - p[0], p[2] - p[0]);
-    const double area = glm::length(cross);
+    // Slivers have angles but no direction worth a vote.
+    const double longest =
+        std::max({glm::length(p[1] - p[0]), glm::length(p[2] - p[1]), glm::length(p[0] - p[2])});
+    const double length = glm::length(cross);
+    const double area = length > 1e-7 * longest * longest ? length : 0.0;
     for (int k = 0; k < 3; ++k) {
       const glm::dvec3 a = p[(k + 1) % 3] - p[k], b = p[(k + 2) % 3] - p[k];
       Corner& corner = corners[3 * t + static_cast<std::size_t>(k)];
       corner.normal = area > 0 ? cross / area : glm::dvec3(0.0);
       corner.angle = area > 0 ? std::atan2(area, glm::dot(a, b)) : 0.0;
-      if (area > 0) around[group[triangles[t][k]]].push_back(static_cast<std::uint32_t>(3 * t + k));
+      around[group[triangles[t][k]]].push_back(static_cast<std::uint32_t>(3 * t + k));
     }
   }
   const double crease = std::cos(kCreaseAngle);
@@ -84,13 +88,14 @@ std::vector<glm::vec3> corner_normals(const std::vector<glm::vec3>& positions,
       glm::dvec3 sum = all;
       if (ring.size() <= kFan) {
         for (const auto other : ring) {
-          if (glm::dot(corners[c].normal, corners[other].normal) >= crease) {
+          if (corners[c].angle == 0 ||
+              glm::dot(corners[c].normal, corners[other].normal) >= crease) {
             sum += corners[other].angle * corners[other].normal;
           }
         }
       }
       const double length = glm::length(sum);
-      normals[c] = glm::vec3(length > 0 ? sum / length : corners[c].normal);
+      if (length > 0) normals[c] = glm::vec3(sum / length);
     }
   }
   return normals;

@@ -254,8 +254,9 @@ Shot plan_shot(SceneRenderer& renderer, const ShotRequest& request, double aspec
       for (const auto& p : *part) points.push_back(p - shift(i));
     }
   }
-  if (request.focus && finite(*request.focus)) {
-    const double radius = request.extent > 0 ? request.extent : 0.45 * shot.size;
+  const bool close = request.focus && finite(*request.focus);
+  const double radius = request.extent > 0 ? request.extent : 0.45 * shot.size;
+  if (close) {
     points.clear();
     for (int i = 0; i < 6; ++i) {
       Vec3 step(0.0);
@@ -332,7 +333,13 @@ Shot plan_shot(SceneRenderer& renderer, const ShotRequest& request, double aspec
     aspect = extent.y > 0 ? std::clamp(extent.x / extent.y * 1.08, 0.62, 1.7) : 1.0;
   }
   shot.aspect = aspect;
-  const Camera first = framed(camera, points, aspect, request.margin);
+  Camera first = framed(camera, points, aspect, request.margin);
+  if (close) {
+    // The sphere of that radius about the focus just fits.
+    const double tangent = std::tan(0.5 * camera.field_of_view) * (1.0 - request.margin);
+    first.focus = *request.focus;
+    first.distance = radius / std::sin(std::atan(tangent * std::min(aspect, 1.0)));
+  }
   for (std::size_t i = 0; i < moments.size(); ++i) {
     shot.cameras.push_back(first);
     shot.cameras.back().focus += shift(i);

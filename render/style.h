@@ -17,7 +17,7 @@ struct Style {
   // Ground grid. Lines are a decimal fraction of the scene's units apart, major ones five of them.
   bool ground = true;
   Rgb grid = 0x565e6e;
-  float grid_opacity = 0.55f;
+  float grid_opacity = 0.42f;
   float grid_radius = 4.0f;  // × size: where the lines have faded out
   Rgb ground_shadow = 0x08090b;
   float ground_shadow_opacity = 0.72f;
@@ -34,14 +34,14 @@ struct Style {
   float key_azimuth = -40.0f;   // degrees, from +z towards +x (or from the camera)
   float key_elevation = 48.0f;  // degrees above the ground
   Rgb key_colour = 0xfff1e0;
-  float key = 2.3f;
+  float key = 1.45f;
   float key_size = 0.055f;  // tangent of the light's angular radius: softness of shadows
   Rgb fill_colour = 0xb9c9ea;
-  float fill = 0.42f;
+  float fill = 0.30f;
   Rgb sky_colour = 0xc3cfe6;
-  float sky = 0.46f;
+  float sky = 0.34f;
   Rgb bounce_colour = 0x8a7f78;  // ambient light from below
-  float bounce = 0.20f;
+  float bounce = 0.15f;
   float rim = 0.5f;  // light from behind, which parts the figure from the backdrop
   float exposure = 1.0f;
 

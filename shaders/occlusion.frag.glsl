@@ -39,5 +39,5 @@ void main() {
     float f = max(1.0 - vv, 0.0);
     sum += f * f * f * max((vn - 0.012) / (vv + 0.01), 0.0);
   }
-  visibility = clamp(1.0 - 1.6 * sum / float(kTaps), 0.0, 1.0);
+  visibility = clamp(1.0 - 2.4 * sum / float(kTaps), 0.0, 1.0);
 }
