@@ -323,6 +323,9 @@ void LimbPlanningSpace::Data::build_segments() {
 void LimbPlanningSpace::Data::build_pairs() {
   std::map<std::pair<int, int>, int> number;
   const auto pair_of = [&](int a, int b) {
+    // -1: nothing between the two is a contact.
+    if (about_one_joint(pieces[static_cast<std::size_t>(a)], pieces[static_cast<std::size_t>(b)]))
+      return -1;
     const auto [at, fresh] = number.try_emplace({a, b}, static_cast<int>(pairs.size()));
     if (fresh) {
       pairs.push_back({a, b, {}});
@@ -349,7 +352,8 @@ void LimbPlanningSpace::Data::build_pairs() {
       for (std::size_t j = i + 1; j < list.size(); ++j) {
         // One segment of the limb is one link to the planner, with what it holds.
         if (side_segment(list[i]) == side_segment(list[j])) continue;
-        segment.inner_pairs.push_back(pair_of(list[i], list[j]));
+        if (const int pair = pair_of(list[i], list[j]); pair >= 0)
+          segment.inner_pairs.push_back(pair);
       }
     }
   }
@@ -400,6 +404,7 @@ void LimbPlanningSpace::Data::gather_clip_contacts() {
     std::vector<int> list = segment.inner_pairs;
     for (const auto& with : segment.pair_with) list.insert(list.end(), with.begin(), with.end());
     for (const int k : list) {
+      if (k < 0) continue;
       const auto at = static_cast<std::size_t>(k);
       if (!pair_states[at].cross) continue;
       const Pair& pair = pairs[at];
@@ -643,7 +648,7 @@ bool LimbPlanningSpace::valid(const Configuration& c) {
   const auto& reachable = d.reachable[cell.row];
   for (const auto& with : segment.pair_with)
     for (const std::uint32_t s : reachable)
-      if (d.touches(with[s], cell, segment)) return false;
+      if (with[s] >= 0 && d.touches(with[s], cell, segment)) return false;
   for (const int pair : segment.inner_pairs)
     if (d.touches(pair, cell, segment)) return false;
   return true;

@@ -17,8 +17,8 @@ class LimbPlanningSpace : public StateSpace {
     double clearance = 0;  // scene units, kept from everything that is not allowed
     double margin = 0;     // scene units, added where skin is known to leave its rigid part
   };
-  // `at_init`, `at_goal`: the limb's states in the clip at the window's ends; the residual goes from
-  // one to the other by slerp (DESIGN.md, "Residual"). Keeps a reference to `scene`.
+  // `at_init`, `at_goal`: the limb's states in the clip at the window's ends; the residual goes
+  // from one to the other by slerp (DESIGN.md, "Residual"). Keeps a reference to `scene`.
   LimbPlanningSpace(const SceneCollision& scene, int limb, double t_init, double t_goal,
                     const LimbState& at_init, const LimbState& at_goal, const Settings& settings);
   ~LimbPlanningSpace() override;

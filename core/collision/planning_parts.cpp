@@ -34,7 +34,39 @@ bool changes_shape(const Actor& actor, const CollisionBody& body) {
   });
 }
 
+// By patch of the body, the other bodies with which it lies about a shared joint; only pairs with
+// the limb count.
+std::vector<std::vector<int>> joints_by_patch(const SceneCollision::Data& scene, int body,
+                                              int limb) {
+  std::vector<std::vector<int>> joined(
+      static_cast<std::size_t>(scene.bodies[static_cast<std::size_t>(body)].patch_count()));
+  const auto of_limb = [&](int b) {
+    const BodyRole& role = scene.roles[static_cast<std::size_t>(b)];
+    return role.own && scene.in_limb(role.side.limb, limb);
+  };
+  for (const auto& [key, allowed] : scene.allowed_pairs) {
+    const bool first = key.first == body;
+    if (!first && key.second != body) continue;
+    if (!of_limb(key.first) && !of_limb(key.second)) continue;
+    for (int p = 0; p < allowed.patches_a; ++p)
+      for (int q = 0; q < allowed.patches_b; ++q) {
+        if (!(allowed.reasons_of(p, q) & AllowedPatches::kShared)) continue;
+        auto& list = joined[static_cast<std::size_t>(first ? p : q)];
+        const int other = first ? key.second : key.first;
+        if (list.empty() || list.back() != other) list.push_back(other);
+      }
+  }
+  for (auto& list : joined) std::sort(list.begin(), list.end());
+  return joined;
+}
+
 }  // namespace
+
+bool about_one_joint(const PlanningPart& a, const PlanningPart& b) {
+  // Allowed patches about one joint are a product: all of one side with all of the other.
+  return a.body != b.body && std::binary_search(a.joined_to.begin(), a.joined_to.end(), b.body) &&
+         std::binary_search(b.joined_to.begin(), b.joined_to.end(), a.body);
+}
 
 std::vector<PlanningPart> planning_parts(const SceneCollision::Data& scene, const World& world,
                                          int limb, double t_init,
@@ -84,11 +116,17 @@ std::vector<PlanningPart> planning_parts(const SceneCollision::Data& scene, cons
       places.emplace(t.mesh, deformed);
     }
     const std::vector<int>& links = link[static_cast<std::size_t>(body.actor())];
-    std::map<int, std::vector<std::uint32_t>> pieces;  // by link
+    const auto joined = joints_by_patch(scene, static_cast<int>(b), limb);
+    // By link, and within it by shared joints.
+    std::map<std::pair<int, std::vector<int>>, std::vector<std::uint32_t>> pieces;
     for (std::uint32_t t = 0; t < body.triangles().size(); ++t)
-      pieces[links[static_cast<std::size_t>(body.triangles()[t].joint)]].push_back(t);
-    for (const auto& [node, triangles] : pieces) {
+      pieces[{links[static_cast<std::size_t>(body.triangles()[t].joint)],
+              joined[body.patch_of()[t]]}]
+          .push_back(t);
+    for (const auto& [key, triangles] : pieces) {
+      const int node = key.first;
       PlanningPart part;
+      part.joined_to = key.second;
       part.body = static_cast<int>(b);
       part.actor = body.actor();
       part.node = node;

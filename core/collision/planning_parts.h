@@ -4,6 +4,9 @@
 // The limb's pieces have the bind pose's shape in their joint's rigid frame; those of everything
 // else that deforms have the skin as it is at the window's beginning. Rigid things are themselves.
 // Scale is baked as it is at the window's beginning.
+//
+// Skin is also cut where contact about a joint begins to be allowed, so that the two sides of a
+// seam, which touch always and may, are pieces that need not be tested against each other.
 #pragma once
 
 #include <memory>
@@ -25,9 +28,14 @@ struct PlanningPart {
   bool deforms = false;                 // cut from a skin
   int segment = -1;                     // of its limb
   std::vector<std::uint16_t> patch_of;  // by triangle; the body's patch numbers
-  Vec3 centre{0.0};                     // bounding sphere, part frame
+  // Bodies against whose part at the shared joint all of this piece may touch; ascending.
+  std::vector<int> joined_to;
+  Vec3 centre{0.0};  // bounding sphere, part frame
   double radius = 0;
 };
+
+// True if the two lie about a joint they share: nothing between them is a contact.
+bool about_one_joint(const PlanningPart& a, const PlanningPart& b);
 
 // `link`: rigid links of the actor in view and of the others, by actor (rigid_links.h).
 // Pieces whose shape is not finite are left out: no contact can be decided for them.

@@ -120,12 +120,14 @@ void SceneCollision::pose_limb(int limb, const LimbState* state) {
 void SceneCollision::contacts_at(double t, int only_limb, bool list_allowed,
                                  std::vector<ContactSample>& out) {
   out.clear();
+  if (!std::isfinite(t) || !data_->knows(only_limb)) return;
   data_->pose(t);
   for (TestPair& pair : data_->pairs_now().pairs)
     if (data_->concerns(pair, only_limb)) data_->pair_contacts(pair, only_limb, list_allowed, out);
 }
 
 bool SceneCollision::limb_in_contact(double t, int limb, double distance) {
+  if (limb < 0 || !data_->knows(limb) || !std::isfinite(t) || !std::isfinite(distance)) return true;
   data_->pose(t);
   const double at = std::max(distance, data_->touching());
   for (TestPair& pair : data_->pairs_now().pairs)
@@ -134,6 +136,7 @@ bool SceneCollision::limb_in_contact(double t, int limb, double distance) {
 }
 
 double SceneCollision::limb_clearance(double t, int limb, double at_most) {
+  if (limb < 0 || !data_->knows(limb) || !std::isfinite(t) || !(at_most > 0)) return 0;
   data_->pose(t);
   double clearance = at_most;
   for (TestPair& pair : data_->pairs_now().pairs) {

@@ -79,11 +79,15 @@ class SceneCollision {
   // for planning on the deformed skin.
   void pose_limb(int limb, const LimbState* state);
 
-  // Contacts at time t, on the deformed skin. With only_limb ≥ 0 only that limb (and what it
-  // carries) against everything is looked at. Allowed ones are listed as such if asked for.
+  // Contacts at time t, on the deformed skin: of the limbs, of the rest of the character, and of
+  // whatever else moves against something else (limb -1; nothing within one character or object but
+  // the limbs of the one in view, and nothing that the rest of it carries). With only_limb ≥ 0 only
+  // that limb (and what it carries) against everything is looked at. Allowed ones are listed as
+  // such if asked for.
   void contacts_at(double t, int only_limb, bool list_allowed, std::vector<ContactSample>& out);
 
-  // True as soon as one contact of the limb that is not allowed is found at t, at ≤ `distance`.
+  // True as soon as one contact of the limb that is not allowed is found at t, at ≤ `distance` (at
+  // least ε). Of a limb or a time that is none nothing good is said: true.
   bool limb_in_contact(double t, int limb, double distance);
 
   // Distance of limb (and carried objects) from everything it is not allowed to touch, at most

@@ -82,6 +82,7 @@ struct SceneCollision::Data {
   RigidTransform a_from_b(const TestPair& pair);
   PairList& pairs_now();
 
+  bool knows(int limb) const { return limb < static_cast<int>(limbs.size()); }
   bool concerns(const TestPair& pair, int only_limb) const {
     return only_limb < 0 || in_limb(pair.limb_a, only_limb) || in_limb(pair.limb_b, only_limb);
   }

@@ -82,8 +82,9 @@ struct Scan {
 std::vector<ContactInterval> SceneCollision::scan(double begin, double end, double rate,
                                                   int only_limb, bool list_allowed) {
   std::vector<ContactInterval> intervals;
-  if (!(std::isfinite(begin) && std::isfinite(end) && begin <= end)) return intervals;
   Data& data = *data_;
+  if (!(std::isfinite(begin) && std::isfinite(end) && begin <= end) || !data.knows(only_limb))
+    return intervals;
   Scan scan{data, only_limb, list_allowed, {}};
   std::map<Key, ContactInterval> open;
   std::map<Key, ContactSample> now;
