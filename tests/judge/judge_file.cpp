@@ -360,11 +360,17 @@ class Reader {
         for (const double t : input.values) channel.times.push_back(static_cast<float>(t));
         const std::size_t keys =
             channel.times.size() * (channel.interpolation == "CUBICSPLINE" ? 3 : 1);
-        if (keys == 0 || output.values.size() % keys != 0) fail("a sampler's counts do not fit");
-        channel.components = static_cast<int>(output.values.size() / keys);
+        // What has no value for each key cannot be played; its bytes still count.
+        const bool playable =
+            keys > 0 && !output.values.empty() && output.values.size() % keys == 0;
+        if (playable) channel.components = static_cast<int>(output.values.size() / keys);
         channel.values = std::move(output.values);
         channel.raw_times = std::move(input.raw);
         channel.raw_values = std::move(output.raw);
+        if (!playable) {
+          animation.channels.push_back(std::move(channel));
+          continue;
+        }
         const double begin = channel.times.front(), end = channel.times.back();
         animation.begin = first ? begin : std::fmin(animation.begin, begin);
         animation.end = first ? end : std::fmax(animation.end, end);

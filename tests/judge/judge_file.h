@@ -46,7 +46,7 @@ struct SkinData {
 struct KeyChannel {
   int node = -1;
   std::string path, interpolation;
-  int components = 0;
+  int components = 0;  // 0: its counts do not fit, it cannot be played
   std::vector<float> times;
   std::vector<double> values;                       // as a player computes with them
   std::vector<std::uint8_t> raw_times, raw_values;  // as they stand in the file, without gaps

@@ -88,7 +88,9 @@ dquat sample_rotation(const KeyChannel& channel, double t) {
 
 dquat rotation_at(const File& file, const KeyAnimation& animation, int node, double t) {
   for (const KeyChannel& channel : animation.channels) {
-    if (channel.node == node && channel.path == "rotation") return sample_rotation(channel, t);
+    if (channel.node == node && channel.path == "rotation" && channel.components == 4) {
+      return sample_rotation(channel, t);
+    }
   }
   return file.nodes.at(static_cast<std::size_t>(node)).rotation;
 }
@@ -106,7 +108,7 @@ State state_at(const File& file, const KeyAnimation* animation, double t, const 
   if (animation) {
     for (const KeyChannel& channel : animation->channels) {
       Node& node = nodes.at(static_cast<std::size_t>(channel.node));
-      if (node.matrix && channel.path != "weights") continue;
+      if (channel.components == 0 || (node.matrix && channel.path != "weights")) continue;
       const std::vector<double> v = sample(channel, t);
       if (channel.path == "translation") node.translation = dvec3(v[0], v[1], v[2]);
       if (channel.path == "scale") node.scale = dvec3(v[0], v[1], v[2]);
