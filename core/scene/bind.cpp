@@ -51,15 +51,23 @@ double extent(const Skin& skin, const std::vector<Mat4>& rest) {
   return glm::length(high - low);
 }
 
+// The joint that has most of the skin's joints at or below it: the hips rather than a control bone
+// beside them. The first of equals, parents first.
 std::size_t root_slot(const Skeleton& skeleton, const Skin& skin) {
-  std::vector<std::size_t> depth_first(skeleton.joints.size());
-  for (std::size_t i = 0; i < skeleton.order.size(); ++i) {
-    depth_first[static_cast<std::size_t>(skeleton.order[i])] = i;
+  std::vector<int> below(skeleton.joints.size(), 0);
+  for (const int joint : skin.joints) ++below[static_cast<std::size_t>(joint)];
+  std::vector<std::size_t> rank(skeleton.joints.size());
+  for (std::size_t i = skeleton.order.size(); i-- > 0;) {
+    const auto node = static_cast<std::size_t>(skeleton.order[i]);
+    rank[node] = i;
+    const int parent = skeleton.joints[node].parent;
+    if (parent >= 0) below[static_cast<std::size_t>(parent)] += below[node];
   }
   std::size_t root = 0;
   for (std::size_t slot = 1; slot < skin.joints.size(); ++slot) {
-    if (depth_first[static_cast<std::size_t>(skin.joints[slot])] <
-        depth_first[static_cast<std::size_t>(skin.joints[root])]) {
+    const auto joint = static_cast<std::size_t>(skin.joints[slot]);
+    const auto best = static_cast<std::size_t>(skin.joints[root]);
+    if (below[joint] > below[best] || (below[joint] == below[best] && rank[joint] < rank[best])) {
       root = slot;
     }
   }

@@ -85,24 +85,23 @@ struct Box {
   bool empty() const { return !(low.x <= high.x); }
 };
 
-// Bind-pose extent along +y: of the skin; of a figure without one, of its rigid parts; of a
-// clip without a figure, of its joints. Lengths need a unit that isn't zero, so what is flat along
-// up is measured by its diagonal.
+// Bind-pose extent along +y: of the triangles, skinned and rigid; of a clip without a figure, of
+// its joints. Lengths need a unit that isn't zero, so what is flat along up is measured by its
+// diagonal.
 double measure_height(const Model& model, const Character& character) {
   const std::vector<Mat4> bind = bind_globals(model, character);
   const Pose pose = rest_pose(model.skeleton);
-  Box skin, rigid, joints;
+  Box triangles, joints;
   std::vector<Vec3> vertices;
   for (const int index : character.meshes) {
     const Mesh& mesh = model.meshes[index_of(index)];
     deform(model, mesh, pose, bind, vertices);
-    Box& box = mesh.skin >= 0 ? skin : rigid;
     for (const glm::uvec3& triangle : mesh.triangles) {
-      for (int c = 0; c < 3; ++c) box.add(vertices[triangle[c]]);
+      for (int c = 0; c < 3; ++c) triangles.add(vertices[triangle[c]]);
     }
   }
   for (const int joint : character.joints) joints.add(Vec3(bind[index_of(joint)][3]));
-  for (const Box* box : {&skin, &rigid, &joints}) {
+  for (const Box* box : {&triangles, &joints}) {
     if (box->empty()) continue;
     const double height = box->high.y - box->low.y;
     const double diagonal = glm::length(box->high - box->low);

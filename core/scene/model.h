@@ -38,7 +38,8 @@ struct Mesh {
   int source_mesh = -1, source_primitive = -1;
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;    // empty or one a vertex
-  std::vector<glm::vec2> texcoords;  // empty or one a vertex (TEXCOORD_0)
+  std::vector<glm::vec2> texcoords;  // empty or one a vertex, for the material's base-colour
+                                     // image, v down; a texture transform is applied
   std::vector<glm::uvec3> triangles;
   std::vector<std::uint32_t> influence_begin;  // skinned: positions + 1 entries into influences
   std::vector<Influence> influences;
@@ -54,7 +55,8 @@ struct Skin {
 
 struct Image {
   int width = 0, height = 0;
-  std::vector<std::uint8_t> rgba;  // decoded; empty if it could not be (a warning says so)
+  std::vector<std::uint8_t> rgba;  // decoded; empty if no material has it as its base colour, or
+                                   // if it can't be decoded (a warning says so)
 };
 
 struct Material {
