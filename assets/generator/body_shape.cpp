@@ -78,12 +78,12 @@ struct BodyShape::Data {
             2.6};
 
   Loft thigh = limb(hip, knee,
-                    {{-0.060, 0.066, 0.078, 0, 0.004},
-                     {-0.010, 0.080, 0.090, 0, 0.004},
-                     {0.060, 0.0815, 0.0905, 0, 0.000},
-                     {0.140, 0.0790, 0.0860, 0, -0.004},
-                     {0.230, 0.0710, 0.0770, 0, -0.006},
-                     {0.320, 0.0600, 0.0660, 0, -0.006},
+                    {{-0.060, 0.062, 0.078, -0.004, 0.004},
+                     {-0.010, 0.073, 0.090, -0.007, 0.004},
+                     {0.060, 0.0735, 0.0900, -0.008, 0.000},
+                     {0.140, 0.0710, 0.0850, -0.007, -0.004},
+                     {0.230, 0.0650, 0.0765, -0.004, -0.006},
+                     {0.320, 0.0575, 0.0660, -0.001, -0.006},
                      {0.390, 0.0535, 0.0580, 0, -0.002},
                      {0.475, 0.0500, 0.0530}});
   Loft shank = limb(knee, ankle,
@@ -130,8 +130,7 @@ struct BodyShape::Data {
     head_bounds.add(Vec3(0, 1.66, 0), 0.12);
   }
 
-  // A loft whose u is to the side of the body (for arms: across, in the frontal plane) and whose v
-  // points ahead (arms) or back (legs).
+  // A loft down a limb whose u points to the body's middle and whose v points back.
   static Loft limb(const Vec3& from, const Vec3& to, std::vector<Section> sections) {
     const Vec3 axis = glm::normalize(to - from);
     const Vec3 ahead = glm::normalize(Vec3(0, 0, 1) - axis.z * axis);
@@ -195,6 +194,14 @@ struct BodyShape::Data {
                                                  hand.point(0.055, -0.027, 0.004), 0.0130, 0.0120),
                                  0.014);
     double d = palm_distance;
+    // Webs, which round off the corners between the fingers.
+    for (std::size_t f = 1; f + 1 < fingers.size(); ++f)
+      d = smooth_union(
+          d,
+          tapered_capsule(p, glm::mix(fingers[f].points[0], fingers[f].points[1], 0.36),
+                          glm::mix(fingers[f + 1].points[0], fingers[f + 1].points[1], 0.36),
+                          0.0062, 0.0062),
+          0.008);
     for (std::size_t f = 0; f < fingers.size(); ++f) {
       const Finger& finger = fingers[f];
       double one = 1e9;
@@ -203,7 +210,7 @@ struct BodyShape::Data {
                            tapered_capsule(p, finger.points[i], finger.points[i + 1],
                                            finger.radius[i], finger.radius[i + 1]),
                            0.003);
-      d = smooth_union(d, one, f == 0 ? 0.012 : 0.0060);
+      d = smooth_union(d, one, f == 0 ? 0.012 : 0.0080);
     }
     return d;
   }
@@ -248,7 +255,12 @@ double BodyShape::operator()(const Vec3& at) const {
   const double to_arm = std::min(body.arm_bounds.distance(p), body.hand_bounds.distance(p));
   if (to_arm < 0.07 || to_arm < d + 0.07) d = smooth_union(d, body.arm(p), 0.060);
   const double to_leg = body.leg_bounds.distance(p);
-  if (to_leg < 0.06 || to_leg < d + 0.06) d = smooth_union(d, body.leg(p), 0.040);
+  if (to_leg < 0.06 || to_leg < d + 0.06) {
+    double legs = body.leg(p);
+    // The other leg too where the two meet, for a round fork without a seam.
+    if (p.x < 0.06) legs = smooth_union(legs, body.leg(Vec3(-p.x, p.y, p.z)), 0.030);
+    d = smooth_union(d, legs, 0.040);
+  }
   return d;
 }
 
@@ -291,6 +303,9 @@ double BodyShape::edge_length(const Vec3& at) const {
   };
   for (const Finger& f : body.fingers)
     for (int i = 1; i < 4; ++i) wish(f.points[i], 0.020, 0.0058, 0.15);
+  for (std::size_t f = 1; f + 1 < body.fingers.size(); ++f)
+    wish(glm::mix(body.fingers[f].points[0], body.fingers[f + 1].points[1], 0.5), 0.012, 0.0048,
+         0.15);
   wish(body.hand.point(0.05, 0, 0), 0.045, 0.0085, 0.15);
   wish({0.0, 1.60, 0.095}, 0.050, 0.0072, 0.12);      // face
   wish({0.075, 1.628, -0.012}, 0.030, 0.0072, 0.12);  // ears

@@ -7,6 +7,7 @@
 #include "assets/demo.h"
 #include "assets/generator/gait.h"
 #include "assets/generator/posing.h"
+#include "assets/generator/walker.h"
 
 namespace elbowroom::demo {
 
@@ -14,11 +15,6 @@ namespace {
 
 constexpr double degrees = kPi / 180.0;
 constexpr double kRate = 30.0;  // keys a second
-
-double smooth(double u) {
-  u = std::clamp(u, 0.0, 1.0);
-  return u * u * (3.0 - 2.0 * u);
-}
 
 // Samples poses at 0, 1/30 s, ... A loop's last key is its first one.
 FigureClip record(const Figure& figure, const std::string& name, int keys, bool loop,
@@ -41,170 +37,6 @@ FigureClip record(const Figure& figure, const std::string& name, int keys, bool 
   }
   return clip;
 }
-
-// Walking as a function of the stride's phase (left heel contact at 0) with planted feet.
-class Walker {
- public:
-  Walker(const Figure& figure, const Gait& gait) : figure_(figure), gait_(gait) {
-    const auto at = [&](const char* name) {
-      return figure.joints[static_cast<std::size_t>(figure.find(name))].position;
-    };
-    ankle_ = at("LeftFoot");
-    thigh_ = glm::length(at("LeftLowerLeg") - at("LeftUpperLeg"));
-    shank_ = glm::length(ankle_ - at("LeftLowerLeg"));
-    hip_below_pelvis_ = at("Hips").y - at("LeftUpperLeg").y;
-    // The sole's pivots, from the ankle: the heel's rear edge and the ball under the toe joint.
-    heel_ = Vec3(0, -ankle_.y, -0.048);
-    ball_ = Vec3(0, -ankle_.y, at("LeftToes").z - ankle_.z + 0.004);
-    place_feet();
-    place_pelvis();
-  }
-
-  // Pitch of the sole at a phase of its own leg, toes up positive.
-  double pitch(double phase) const { return gait_.foot(phase); }
-
-  // How far the toes bend up against the foot: flat on the ground while the heel rises, level with
-  // the sole again soon after toe-off.
-  double toe_bend(double phase) const {
-    phase -= std::floor(phase);
-    if (phase > 0.80) return 0.0;
-    const double fade = 1.0 - smooth((phase - gait_.toe_off) / 0.14);
-    return std::max(0.0, -pitch(phase)) * fade;
-  }
-
-  // The ankle at a phase of its own leg, walking direction z, as the pelvis moves on at constant
-  // speed: z is relative to the pelvis's place at phase 0.
-  Vec3 ankle(double phase) const {
-    const double cycle = std::floor(phase);
-    phase -= cycle;
-    Vec3 p = phase <= gait_.toe_off ? stance(phase) : swing(phase);
-    p.z += cycle * gait_.stride;
-    return p;
-  }
-
-  double pelvis_height(double phase) const {
-    return height_ + gait_.pelvis_rise * std::cos(4.0 * kPi * (phase - 0.31));
-  }
-  double pelvis_forward(double phase) const { return gait_.stride * phase; }
-
-  // Sets pelvis, spine, head and legs of a pose; `phase` may run on over strides, `origin` shifts
-  // the walk along z, `travel` false keeps the pelvis on the spot.
-  Quat pose(Poser& poser, double phase, double origin, bool travel) const {
-    const double wave = 2.0 * kPi * phase;
-    // The left side leads with its leg at phase 0: the pelvis turns left side ahead (negative about
-    // y), drops on the swinging side, sways over the stance leg (left leg at 0.3).
-    const double rotation = -gait_.pelvis_rotation * std::cos(wave);
-    const double drop = gait_.pelvis_drop * std::sin(wave - 0.35);
-    const double sway = gait_.pelvis_sway * std::sin(wave - 0.25);
-    const double forward = pelvis_forward(phase);
-    const double shift = travel ? origin : -forward;
-    poser.begin(Vec3(sway, pelvis_height(phase), forward + shift));
-    const Quat pelvis = turn_y(rotation) * turn_z(drop) * turn_x(1.5 * degrees);
-    poser.set_world("Hips", pelvis);
-    const double trunk_turn = gait_.trunk_rotation * std::cos(wave + 0.25);
-    const double nod = 0.8 * degrees * std::cos(2.0 * wave - 0.6);
-    const Quat chest = turn_y(trunk_turn) * turn_z(-0.25 * drop) * turn_x(3.0 * degrees + nod);
-    poser.set_world("Spine", slerp_shortest(pelvis, chest, 0.45));
-    poser.set_world("Chest", chest);
-    poser.set_world("Neck", turn_y(0.45 * trunk_turn) * turn_x(1.0 * degrees + 0.4 * nod));
-    poser.set_world("Head", turn_y(0.15 * trunk_turn) * turn_x(1.0 * degrees));
-    poser.compute();
-    for (const double side : {1.0, -1.0}) {
-      const double own = side > 0 ? phase : phase - 0.5;
-      Vec3 a = ankle(own);
-      if (side < 0) a.z += 0.5 * gait_.stride;
-      a.x = side * kTrack;
-      a.z += shift;
-      const double toe_out = side * 5.0 * degrees;
-      poser.set_leg(side, a, turn_y(toe_out) * turn_x(-pitch(own)),
-                    turn_y(toe_out + 0.3 * rotation) * Vec3(0, 0, 1));
-      poser.set_local(side > 0 ? "LeftToes" : "RightToes", turn_x(-toe_bend(own)));
-    }
-    return chest;
-  }
-
- private:
-  static constexpr double kTrack = 0.072;  // half the distance between the feet's lines
-
-  static Vec3 turned(const Vec3& v, double pitch_up) { return turn_x(-pitch_up) * v; }
-
-  // On the ground the foot rolls over its heel, then stands, then rolls over the ball: the ankle
-  // follows from the pitch, and the foot never slides.
-  Vec3 stance(double phase) const {
-    const double up = pitch(phase);
-    const Vec3& pivot = up > 0 ? heel_ : ball_;
-    const Vec3 flat = Vec3(0, ankle_.y, contact_);  // the ankle with the sole flat
-    return flat + pivot - turned(pivot, up);
-  }
-
-  // The ankle from the published hip and knee angles, hip on its steady way.
-  Vec3 published(double phase) const {
-    const double thigh = gait_.hip(phase), shank = thigh - gait_.knee(phase);
-    const double y = pelvis_height_guess(phase) - hip_below_pelvis_ - thigh_ * std::cos(thigh) -
-                     shank_ * std::cos(shank);
-    const double z = pelvis_forward(phase) + thigh_ * std::sin(thigh) + shank_ * std::sin(shank);
-    return {0, y, z};
-  }
-  double pelvis_height_guess(double phase) const {
-    return (height_ > 0 ? height_ : figure_.joints[0].position.y - 0.02) +
-           gait_.pelvis_rise * std::cos(4.0 * kPi * (phase - 0.31));
-  }
-
-  // In the air: the published path, bent by a cubic so that place and speed agree with the ground
-  // at toe-off and at the next heel contact.
-  Vec3 swing(double phase) const {
-    constexpr double h = 1e-4;
-    const double begin = gait_.toe_off, length = 1.0 - begin;
-    const Vec3 next(0, 0, gait_.stride);
-    const Vec3 gap0 = stance(begin) - published(begin), gap1 = stance(0.0) + next - published(1.0);
-    const Vec3 slope0 = (stance(begin) - stance(begin - h)) / h -
-                        (published(begin + h) - published(begin - h)) / (2 * h);
-    const Vec3 slope1 =
-        (stance(h) - stance(0.0)) / h - (published(1.0 + h) - published(1.0 - h)) / (2 * h);
-    const double u = (phase - begin) / length, u2 = u * u, u3 = u2 * u;
-    return published(phase) + (2 * u3 - 3 * u2 + 1) * gap0 + (u3 - 2 * u2 + u) * length * slope0 +
-           (3 * u2 - 2 * u3) * gap1 + (u3 - u2) * length * slope1;
-  }
-
-  // The footprint lies where the published angles put the foot on average over its stance.
-  void place_feet() {
-    contact_ = 0;
-    double sum = 0;
-    constexpr int kSteps = 60;
-    for (int i = 0; i < kSteps; ++i) {
-      const double phase = gait_.toe_off * i / kSteps;
-      sum += published(phase).z - stance(phase).z;
-    }
-    contact_ = sum / kSteps;
-  }
-
-  // As high as the legs reach at all phases with the least knee flexion people walk with.
-  void place_pelvis() {
-    const double reach = std::sqrt(thigh_ * thigh_ + shank_ * shank_ +
-                                   2 * thigh_ * shank_ * std::cos(5.0 * degrees));
-    double highest = 1e9;
-    for (int i = 0; i <= 100; ++i) {
-      const double phase = gait_.toe_off * i / 100;
-      const Vec3 a = stance(phase);
-      const double dz = a.z - pelvis_forward(phase) - hip_ahead(phase);
-      const double wave = gait_.pelvis_rise * std::cos(4.0 * kPi * (phase - 0.31));
-      highest =
-          std::min(highest, a.y + std::sqrt(reach * reach - dz * dz) + hip_below_pelvis_ - wave);
-    }
-    height_ = highest;
-  }
-  // The pelvis's rotation carries the hip of the leg ahead forward.
-  double hip_ahead(double phase) const {
-    return 0.086 * std::sin(gait_.pelvis_rotation * std::cos(2.0 * kPi * phase));
-  }
-
-  const Figure& figure_;
-  const Gait gait_;
-  Vec3 ankle_, heel_, ball_;
-  double thigh_ = 0, shank_ = 0, hip_below_pelvis_ = 0;
-  double contact_ = 0;
-  double height_ = 0;
-};
 
 Poser::Arm swinging_arm(const Gait& gait, double phase) {
   Poser::Arm arm;
@@ -289,7 +121,7 @@ std::vector<FigureClip> make_clips(const Figure& figure) {
 
   // Five metres, the posts' line in the middle.
   constexpr double kWay = 5.0;
-  const int way_keys = static_cast<int>(std::lround(kWay / gait.stride * gait.period * kRate));
+  const int way_keys = static_cast<int>(std::lround(kWay / walker.stride() * gait.period * kRate));
   clips.push_back(
       record(figure, kDemoClip, way_keys + 1, false, [&](double t) -> const FigurePose& {
         const double phase = t / gait.period;

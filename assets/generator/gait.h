@@ -3,10 +3,12 @@
 // gait cycle: phase 0 is the heel contact of the leg in question, 1 the next one.
 //
 // Sources (figures rounded to key points; degrees):
-//  - hip, knee and ankle in the sagittal plane: D. A. Winter, The Biomechanics and Motor Control of
-//    Human Gait, 2nd ed., 1991, natural cadence, ensemble averages;
-//  - pelvis and trunk: M. P. Murray, A. B. Drought, R. C. Kory, Walking patterns of normal men, J.
-//    Bone Joint Surg. 46-A, 1964; J. Perry, Gait Analysis, 1992;
+//  - knee and ankle: D. A. Winter, The Biomechanics and Motor Control of Human Gait, 2nd ed., 1991,
+//    natural cadence, ensemble averages;
+//  - thigh against the vertical, foot against the ground, pelvis: J. Perry and J. M. Burnfield,
+//  Gait
+//    Analysis, 2nd ed., 2010; M. P. Murray, A. B. Drought, R. C. Kory, Walking patterns of normal
+//    men, J. Bone Joint Surg. 46-A, 1964;
 //  - shoulder and elbow: M. P. Murray, S. B. Sepic, E. J. Barnard, Patterns of sagittal rotation of
 //    the upper limbs in walking, Phys. Ther. 47, 1967.
 #pragma once
@@ -33,18 +35,16 @@ class PeriodicCurve {
 };
 
 struct Gait {
-  // Radians. Hip: flexion forward positive, thigh against the vertical trunk; knee: flexion; ankle:
-  // dorsiflexion positive; foot: pitch of the sole, toes up positive (hip - knee + ankle, with the
-  // sole flat on the ground in mid-stance).
+  // Radians. Hip: the thigh against the vertical, forward positive; knee: flexion; ankle:
+  // dorsiflexion positive; foot: pitch of the sole, toes up positive.
   PeriodicCurve hip, knee, ankle, foot;
   PeriodicCurve shoulder, elbow;  // flexion; phase of the leg on the same side
   double toe_off = 0.61;          // end of stance
-  double stride = 1.40;           // metres for a stature of 1.75 (0.80 of it)
   double period = 1.10;           // seconds a stride: 109 steps a minute
   // Of the pelvis, peak values: rotation about the vertical, drop towards the swinging leg, sway to
-  // the stance leg, rise and fall (half the range).
+  // the stance leg.
   double pelvis_rotation = 4.5 * kPi / 180, pelvis_drop = 3.5 * kPi / 180;
-  double pelvis_sway = 0.020, pelvis_rise = 0.020;
+  double pelvis_sway = 0.020;               // metres
   double trunk_rotation = 3.5 * kPi / 180;  // of the shoulders, against the pelvis's
 };
 

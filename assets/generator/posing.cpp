@@ -115,7 +115,7 @@ void Poser::relax_hand(double side, double amount) {
       Quat turn = turn_y(-side * amount * more * curl[i] * degrees);
       // Spread fingers close up at ease.
       if (i == 0)
-        turn = turn_x((f == 0 ? 5.0 : f == 1 ? 0.5 : f == 2 ? -4.0 : -9.0) * degrees) * turn;
+        turn = turn_x((f == 0 ? 6.0 : f == 1 ? 1.0 : f == 2 ? -4.5 : -10.0) * degrees) * turn;
       set_local(s + kFingers[f] + std::to_string(i + 1), turn);
     }
   }
