@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// Commands, exit codes and reports as a script sees them.
+#include <algorithm>
+#include <set>
+
+#include "tests/support/cli_scene.h"
+#include "tests/support/simple_glb.h"
+
+namespace elbowroom::test {
+namespace {
+
+const std::string kProgram = ELBOWROOM_PROGRAM;
+const std::filesystem::path kDemo = ELBOWROOM_DEMO_DIR;
+const std::string kMannequin = kDemo / "mannequin.glb";
+
+ProgramRun run(const std::vector<std::string>& arguments, int interrupt_after_ms = 0) {
+  return run_program(kProgram, arguments, interrupt_after_ms);
+}
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// What stands in a folder, so that "nothing is written" can be seen.
+std::set<std::string> listing(const std::filesystem::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    names.insert(entry.path().filename());
+  return names;
+}
+
+TEST(Info, SaysWhatIsThereAsJson) {
+  const auto info = run({"info", kMannequin, "--json"});
+  ASSERT_EQ(info.exit_code, 0) << info.err;
+  const auto json = nlohmann::json::parse(info.out, nullptr, false);
+  ASSERT_FALSE(json.is_discarded());
+  EXPECT_EQ(json["file"], kMannequin);
+  ASSERT_EQ(json["characters"].size(), 1u);
+  const auto& character = json["characters"][0];
+  EXPECT_GT(character["joints"], 20);
+  EXPECT_GE(character["triangles"], 8000);
+  EXPECT_LE(character["triangles"], 20000);
+  EXPECT_NEAR(character["height"].get<double>(), 1.75, 0.02);
+  for (const char* limb : {"left_arm", "right_arm", "left_leg", "right_leg"}) {
+    ASSERT_TRUE(character["limbs"].contains(limb));
+    EXPECT_EQ(character["limbs"][limb]["joints"].size(), 3u);
+    EXPECT_FALSE(character["limbs"][limb]["why"].get<std::string>().empty());
+  }
+  EXPECT_EQ(json["clips"].size(), 3u);
+  EXPECT_GT(json["clips"][0]["duration"], 0.5);
+  EXPECT_TRUE(json["objects"].is_array());
+  EXPECT_TRUE(json["warnings"].is_array());
+}
+
+TEST(Usage, WrongUsageIsOne) {
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {},
+           {"fly"},
+           {"info"},
+           {"check"},
+           {"correct", "--character", kMannequin},
+           {"correct", "--character", kMannequin, "-o", "x.glb", "--window", "2:1"},
+           {"correct", "--character", kMannequin, "-o", "x.glb", "--alternatives", "0"},
+           {"check", "--character", kMannequin, "--attach", "prop.glb"},
+           {"render", "--character", kMannequin, "--times", "a", "-o", "x.png"}})
+    EXPECT_EQ(run(arguments).exit_code, 1) << (arguments.empty() ? "" : arguments[0]);
+  EXPECT_EQ(run({"--help"}).exit_code, 0);
+  EXPECT_EQ(run({"correct", "--help"}).exit_code, 0);
+}
+
+TEST(BadInput, IsTwoAndNamesFileAndReason) {
+  const Folder folder;
+  const std::string out = folder / "out.glb", report = folder / "r.json";
+  struct Case {
+    std::vector<std::string> arguments;
+    const char* says;
+  };
+  std::ofstream(folder / "text.glb") << "this is no model";
+  const std::string text = folder / "text.glb";
+  for (const Case& c : std::vector<Case>{
+           {{"correct", "--character", "/nowhere/a.glb", "-o", out}, "/nowhere/a.glb"},
+           {{"correct", "--character", text, "-o", out}, "text.glb"},
+           {{"correct", "--character", kMannequin, "--clip", "Fly", "-o", out},
+            "Walk between posts"},
+           {{"correct", "--character", kMannequin, "--limb", "tail", "-o", out}, "left_arm"},
+           {{"correct", "--character", kMannequin, "--obstacles", text, "-o", out}, "text.glb"},
+           {{"correct", "--character", kDemo / "posts.glb", "-o", out}, "no character"},
+           {{"correct", "--character", kMannequin, "--attach", kMannequin + "@NoJoint", "-o", out},
+            "NoJoint"},
+           {{"solve", folder / "none.elbow", "-o", out}, "none.elbow"}}) {
+    auto arguments = c.arguments;
+    arguments.insert(arguments.end(), {"--report", report});
+    const auto result = run(arguments);
+    EXPECT_EQ(result.exit_code, 2) << c.says << result.err;
+    EXPECT_NE(result.err.find(c.says), std::string::npos) << result.err;
+    EXPECT_EQ(read_json(report)["status"], "bad_input");
+    EXPECT_FALSE(std::filesystem::exists(out));
+  }
+}
+
+TEST(Check, FreeIsZeroAndContactsAreFour) {
+  const Folder folder;
+  const auto free =
+      run({"check", "--character", kMannequin, "--clip", "Idle", "--report", folder / "free.json"});
+  EXPECT_EQ(free.exit_code, 0) << free.out << free.err;
+  EXPECT_EQ(read_json(folder / "free.json")["status"], "free");
+  const auto hit = run({"check", "--character", kMannequin, "--clip", "Walk between posts",
+                        "--obstacles", kDemo / "posts.glb", "--attach",
+                        (kDemo / "umbrella.glb").string() + "@RightHand,0.029,0,0.083", "--report",
+                        folder / "hit.json"});
+  EXPECT_EQ(hit.exit_code, 4) << hit.out << hit.err;
+  const auto report = read_json(folder / "hit.json");
+  EXPECT_EQ(report["status"], "contacts");
+  ASSERT_FALSE(report["collisions_before"].empty());
+  const auto& contact = report["collisions_before"][0];
+  EXPECT_EQ(contact["limb"], "right_arm");
+  EXPECT_LT(contact["interval"][0], contact["interval"][1]);
+  EXPECT_GT(contact["depth"], 0);
+}
+
+TEST(Correct, NothingToCorrectIsACopy) {
+  const Folder folder;
+  const auto result = run({"correct", "--character", kMannequin, "--clip", "Idle", "-o",
+                           folder / "out.glb", "--report", folder / "r.json"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(bytes_of(folder / "out.glb"), bytes_of(kMannequin));
+  EXPECT_EQ(read_json(folder / "r.json")["status"], "nothing_to_correct");
+}
+
+// A wall through the shoulder for the whole clip: no motion of the arm gets out of it.
+TEST(Correct, NoMotionIsThreeAndWritesOnlyTheReport) {
+  const Folder folder;
+  const auto model = read_gltf(kMannequin);
+  ASSERT_TRUE(model.ok());
+  ASSERT_TRUE(write_simple_glb(folder / "wall.glb", "wall",
+                               box({-3.0f, 0.9f, -3.0f}, {-0.15f, 1.6f, 9.0f})));
+  const auto result = run({"correct", "--character", kMannequin, "--clip", "Walk", "--obstacles",
+                           folder / "wall.glb", "--limb", "right_arm", "-o", folder / "out.glb",
+                           "--report", folder / "r.json"});
+  EXPECT_EQ(result.exit_code, 3) << result.out << result.err;
+  EXPECT_EQ(listing(folder.path()), (std::set<std::string>{"r.json", "wall.glb"}));
+  const auto report = read_json(folder / "r.json");
+  EXPECT_EQ(report["status"], "failed");
+  ASSERT_FALSE(report["corrections"].empty());
+  EXPECT_TRUE(report["corrections"][0]["blocked_by"].is_string());
+}
+
+TEST(Correct, InterruptedIs130AndLeavesNoHalfFile) {
+  const Folder folder;
+  const auto result = run({"correct", "--character", kMannequin, "--clip", "Walk between posts",
+                           "--obstacles", kDemo / "posts.glb", "--attach",
+                           (kDemo / "umbrella.glb").string() + "@RightHand,0.029,0,0.083",
+                           "--alternatives", "64", "-o", folder / "out.glb"},
+                          3000);
+  EXPECT_EQ(result.exit_code, 130) << result.out << result.err;
+  EXPECT_TRUE(listing(folder.path()).empty());
+}
+
+TEST(Render, MakesAFilmstripWithoutADisplay) {
+  const Folder folder;
+  const auto result =
+      run({"render", "--character", kMannequin, "--clip", "Walk", "--times", "0,0.3,0.6", "--width",
+           "120", "--height", "160", "-o", folder / "strip.png"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(bytes_of(folder / "strip.png").substr(1, 3), "PNG");
+}
+
+}  // namespace
+}  // namespace elbowroom::test
