@@ -46,8 +46,9 @@ struct CollisionQuery {
   std::vector<double> times;  // seconds on the animation's clock
   bool check_body = true;     // limb against the character's own body
   bool with_fcl = true;       // let FCL say it too, and count where it differs
-  // Self contacts that are natural: triangles within this distance along the surface of the border
-  // between limb and body (times the figure's height), ...
+  // Self contacts that are natural: triangles within this distance (times the figure's height, in
+  // the rest pose) along the surface of the border between limb and body, or of the limb's root
+  // joint, ...
   double seam_radius = 0.08;
   // ... and the surroundings of triangles that touch in the file's rest pose or, if named, at 60 Hz
   // in this animation.

@@ -64,7 +64,6 @@ class Figure {
       part.triangles.push_back(soup_.triangles[i]);
       part.labels.push_back(node_label(file_, soup_.joint[i]));
     }
-    limb_own_ = limb_.triangles.size();
     std::size_t base = soup_.point_count;
     for (const Attached& attached : attached_) {
       extras_.push_back(load_extra(attached.file));
@@ -99,7 +98,15 @@ class Figure {
   const File& file() const { return file_; }
   const Part& limb() const { return limb_; }
   const Part& body() const { return body_; }
-  std::size_t limb_own() const { return limb_own_; }  // limb triangles that are not carried
+  // Where the limb begins, in the rest pose.
+  std::vector<dvec3> root_places() const {
+    const State state = state_at(file_, nullptr, 0);
+    std::vector<dvec3> places;
+    for (const int root : roots_) {
+      places.push_back(dvec3(state.world[static_cast<std::size_t>(root)][3]));
+    }
+    return places;
+  }
 
  private:
   bool in_limb(int node) const {
@@ -113,7 +120,6 @@ class Figure {
   std::vector<Extra> extras_;
   std::vector<int> roots_, carriers_;
   Part limb_, body_;
-  std::size_t limb_own_ = 0;
 };
 
 // Which pairs of limb and body are natural neighbours.
@@ -124,7 +130,7 @@ class Neighbours {
     std::vector<dvec3> rest;
     figure.points_at(nullptr, 0, rest);
     weld(rest);
-    mark_seam(rest, query.seam_radius);
+    mark_seam(rest, figure.root_places(), query.seam_radius);
     known_limb_.assign(limb_.size(), false);
     known_body_.assign(body_.size(), false);
     if (limb_.empty() || body_.empty()) return;
@@ -169,8 +175,9 @@ class Neighbours {
     place_count_ = places.size();
   }
 
-  // Dijkstra along edges from the corners that limb and body share.
-  void mark_seam(const std::vector<dvec3>& rest, double radius) {
+  // Dijkstra along edges from the corners that limb and body share. Figures made of separate pieces
+  // share none: there the joint itself is the middle.
+  void mark_seam(const std::vector<dvec3>& rest, const std::vector<dvec3>& roots, double radius) {
     std::vector<std::vector<std::pair<int, double>>> edges(place_count_);
     std::vector<char> in_limb(place_count_, 0), in_body(place_count_, 0);
     Box all;
@@ -204,6 +211,11 @@ class Neighbours {
       }
     }
     const auto near = [&](const glm::uvec3& t) {
+      for (const dvec3& root : roots) {
+        for (int k = 0; k < 3; ++k) {
+          if (glm::distance(rest[t[k]], root) <= reach) return true;
+        }
+      }
       return far[static_cast<std::size_t>(weld_[t[0]])] <= reach ||
              far[static_cast<std::size_t>(weld_[t[1]])] <= reach ||
              far[static_cast<std::size_t>(weld_[t[2]])] <= reach;
