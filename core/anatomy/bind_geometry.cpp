@@ -81,7 +81,7 @@ std::optional<Vec3> extremity(const Model& model, const Character& character,
     const Joint& node = model.skeleton.joints[static_cast<std::size_t>(child)];
     const BoneName name = read_bone_name(node.name);
     // A thumb stands off, a prop's socket says nothing about the hand.
-    if (name.helper || node.name.find("humb") != std::string::npos) continue;
+    if (name.helper || name.thumb) continue;
     const bool carries_mesh = std::any_of(model.meshes.begin(), model.meshes.end(),
                                           [&](const Mesh& mesh) { return mesh.node == child; });
     if (carries_mesh && !is_skin_joint(character, child)) continue;

@@ -186,6 +186,7 @@ BoneName read_bone_name(const std::string& name, const std::set<std::string>& ha
           break;
         case Word::finger:
           finger = true;
+          result.thumb = result.thumb || word == "thumb";
           break;
         case Word::toe:
           toe = true;

@@ -38,6 +38,7 @@ enum class BoneSide { none, left, right };
 struct BoneName {
   BonePart part = BonePart::none;
   BoneSide side = BoneSide::none;
+  bool thumb = false;
   bool helper = false;      // twist, control, target and the like: no limb joint of its own
   bool end_marker = false;  // "_end", "nub": a leaf that only closes a bone
   std::vector<std::string> unknown;  // words that say nothing to us, lower case

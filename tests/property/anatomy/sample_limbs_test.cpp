@@ -101,7 +101,7 @@ std::vector<Expected> expectations() {
   };
 }
 
-class SampleLimbs : public testing::TestWithParam<Expected> {
+class OnSamples : public testing::TestWithParam<Expected> {
  protected:
   void SetUp() override {
     if (test::samples_dir().empty()) GTEST_SKIP() << test::samples_missing();
@@ -119,7 +119,7 @@ class SampleLimbs : public testing::TestWithParam<Expected> {
   LimbFindings findings_;
 };
 
-TEST_P(SampleLimbs, AreFoundByNameAndHierarchy) {
+TEST_P(OnSamples, AreFoundByNameAndHierarchy) {
   for (std::size_t i = 0; i < 4; ++i) {
     const auto kind = static_cast<LimbKind>(i);
     const Names& expected = GetParam().limbs[i];
@@ -150,7 +150,7 @@ TEST_P(SampleLimbs, AreFoundByNameAndHierarchy) {
   }
 }
 
-TEST_P(SampleLimbs, LeftIsTheBodysLeftUnlessNamesAreSwapped) {
+TEST_P(OnSamples, LeftIsTheBodysLeftUnlessNamesAreSwapped) {
   const std::vector<Mat4> globals = bind_globals(*model_, character());
   const BodyAxes axes = body_axes(*model_, character(), findings_);
   EXPECT_NEAR(glm::dot(glm::cross(axes.left, axes.up), axes.forward), 1, 1e-12);
@@ -188,7 +188,7 @@ std::vector<double> frames_of(const Clip& clip, const LimbModel& limb) {
   return times;
 }
 
-TEST_P(SampleLimbs, EveryFrameGoesIntoParametersAndBackWithASmallResidual) {
+TEST_P(OnSamples, EveryFrameGoesIntoParametersAndBackWithASmallResidual) {
   for (const Limb& limb : findings_.limbs) {
     const auto fitted = fit_limb_model(*model_, character(), limb, findings_);
     ASSERT_TRUE(fitted) << fitted.error().message();
@@ -246,7 +246,7 @@ TEST_P(SampleLimbs, EveryFrameGoesIntoParametersAndBackWithASmallResidual) {
   }
 }
 
-TEST_P(SampleLimbs, ClipsAreContinuousInParameters) {
+TEST_P(OnSamples, ClipsAreContinuousInParameters) {
   // Slerp between keys turns a joint at a bounded rate; numbers that jump would show as faster
   // ones.
   for (const Limb& limb : findings_.limbs) {
@@ -282,7 +282,7 @@ std::string test_name(const testing::TestParamInfo<Expected>& info) {
   return text;
 }
 
-INSTANTIATE_TEST_SUITE_P(Humanoids, SampleLimbs, testing::ValuesIn(expectations()), test_name);
+INSTANTIATE_TEST_SUITE_P(Humanoids, OnSamples, testing::ValuesIn(expectations()), test_name);
 
 // Flexion axes at the bind pose, world space; flexion is right-handed about them.
 struct HandWritten {
@@ -369,6 +369,43 @@ TEST(SampleFlexionAxes, AreThoseWrittenDownByHand) {
     std::printf("%-48s %-9s flexion axis off by %.2f°\n", hand.file.c_str(), limb->name.c_str(),
                 off);
   }
+}
+
+TEST(SampleLimbs, NoFileIsTooOdd) {
+  // Whatever opens, however strange, has findings with reasons, and a model or an error.
+  if (test::samples_dir().empty()) GTEST_SKIP() << test::samples_missing();
+  int files = 0, characters = 0, fits = 0;
+  std::vector<std::filesystem::path> paths;
+  for (const char* folder : {"humanoids", "features", "malformed", "props"}) {
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(test::samples_dir() / folder)) {
+      const std::string type = entry.path().extension().string();
+      if (type == ".glb" || type == ".gltf" || type == ".vrm") paths.push_back(entry.path());
+    }
+  }
+  std::sort(paths.begin(), paths.end());
+  ReadOptions options;
+  options.images = false;
+  for (const auto& path : paths) {
+    const auto model = read_gltf(path, options);
+    if (!model) continue;
+    ++files;
+    for (const Character& character : (*model)->characters) {
+      ++characters;
+      const LimbFindings findings = find_limbs(**model, character);
+      EXPECT_GE(findings.limbs.size() + findings.warnings.size(), 4u) << path;
+      const BodyAxes axes = body_axes(**model, character, findings);
+      EXPECT_NEAR(glm::dot(glm::cross(axes.left, axes.up), axes.forward), 1, 1e-9) << path;
+      for (const Limb& limb : findings.limbs) {
+        const auto fitted = fit_limb_model(**model, character, limb, findings);
+        EXPECT_TRUE(fitted || !fitted.error().what.empty());
+        ++fits;
+      }
+    }
+  }
+  EXPECT_GT(files, 100);
+  EXPECT_GT(characters, 20);
+  EXPECT_GT(fits, 50);
 }
 
 TEST(SampleLimits, HoldWhatPeopleDo) {
