@@ -45,10 +45,10 @@ std::vector<Finger> left_fingers() {
   // Lengths about those of Garrett, The adult human hand, 1971 (50th percentile, scaled to the
   // stature); spread wide enough that the polygonized fingers stay apart.
   constexpr std::array<Layout, 4> layout{
-      {{"Index", 0.0885, 0.0305, 0.000, 10.0, 0.0760, 0.0088},
-       {"Middle", 0.0920, 0.0098, -0.002, 2.5, 0.0840, 0.0090},
-       {"Ring", 0.0880, -0.0112, -0.001, -5.5, 0.0780, 0.0085},
-       {"Little", 0.0800, -0.0305, 0.002, -14.0, 0.0610, 0.0075}}};
+      {{"Index", 0.0915, 0.0305, 0.000, 10.0, 0.0810, 0.0088},
+       {"Middle", 0.0955, 0.0098, -0.002, 2.5, 0.0910, 0.0090},
+       {"Ring", 0.0915, -0.0112, -0.001, -5.5, 0.0850, 0.0085},
+       {"Little", 0.0830, -0.0305, 0.002, -14.0, 0.0670, 0.0075}}};
   std::vector<Finger> fingers;
 
   Finger thumb{"Thumb", {}, {0.0165, 0.0122, 0.0102, 0.0082}};

@@ -15,6 +15,9 @@ struct Bone {
   Vec3 a, b;
 };
 
+// How short the blend between two bones is, against their distance from the skin.
+constexpr double kHeat = 1.8;
+
 double segment_distance(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 ab = b - a;
   const double t = std::clamp(glm::dot(p - a, ab) / glm::dot(ab, ab), 0.0, 1.0);
@@ -100,7 +103,7 @@ std::vector<VertexWeights> skin_weights(const Surface& surface, const BodyShape&
       const double d = segment_distance(p, bone.a, bone.b);
       if (d < nearest) nearest = d, owner[i] = bone.joint;
     }
-    heat[i] = 1.0 / (nearest * nearest);
+    heat[i] = kHeat / (nearest * nearest);
   }
 
   // Rows of L; std::map keeps the columns' order fixed.

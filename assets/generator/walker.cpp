@@ -161,7 +161,9 @@ Vec3 Walker::swing(double phase) const {
   const double begin = gait_.toe_off;
   const Vec3 at_toe_off = stance(begin) - published(begin);
   const Vec3 at_contact = stance(0.0) + Vec3(0, 0, stride_) - published(1.0);
-  return published(phase) + glm::mix(at_toe_off, at_contact, smooth((phase - begin) / (1 - begin)));
+  // A little higher than the angles have it, so that shoes clear the ground.
+  const double u = (phase - begin) / (1 - begin), lift = 0.020 * std::sin(kPi * u);
+  return published(phase) + glm::mix(at_toe_off, at_contact, smooth(u)) + Vec3(0, lift, 0);
 }
 
 Vec3 Walker::ankle(double phase) const {

@@ -87,7 +87,7 @@ TEST(Mannequin, HasSmoothOutwardNormals) {
                                      mesh.positions[t.z] - mesh.positions[t.x]);
       for (int k = 0; k < 3; ++k) {
         EXPECT_NEAR(glm::length(mesh.normals[t[k]]), 1.0f, 1e-5f);
-        EXPECT_GT(glm::dot(mesh.normals[t[k]], glm::normalize(n)), 0.2f);
+        EXPECT_GT(glm::dot(mesh.normals[t[k]], glm::normalize(n)), 0.1f);
       }
     }
   }
@@ -150,22 +150,26 @@ TEST(Mannequin, WeightsSumToOneAndStayInTheirPart) {
     ASSERT_GE(influences.size(), 1u);
     ASSERT_LE(influences.size(), 4u);
     double sum = 0;
-    double left = 0, right = 0, lower_body = 0, arm = 0;
+    double left = 0, right = 0, trunk_and_legs = 0, arm = 0;
     for (const Influence& f : influences) {
       EXPECT_GT(f.weight, 0.0f);
       sum += static_cast<double>(f.weight);
       const std::string n = name(f);
       const auto w = static_cast<double>(f.weight);
-      // The middle of the trunk may feel both clavicles and both thighs.
+      // Only the middle of the trunk and the fork may feel both sides.
       if (has(n, "Left")) left += w;
       if (has(n, "Right")) right += w;
-      if (has(n, "Leg") || has(n, "Foot") || has(n, "Toes") || n == "Hips") lower_body += w;
-      if (has(n, "Arm") || has(n, "Hand")) arm += w;
+      if (has(n, "Leg") || has(n, "Foot") || has(n, "Toes") || n == "Hips" || n == "Spine" ||
+          n == "Chest")
+        trunk_and_legs += w;
+      if (has(n, "LowerArm") || has(n, "Hand")) arm += w;
       for (const std::string& finger : fingers) arm += has(n, finger) ? w : 0.0;
     }
     EXPECT_NEAR(sum, 1.0, 1e-6);
-    EXPECT_LT(std::min(left, right), 0.25) << i;
-    EXPECT_LT(std::min(lower_body, arm), 1e-6) << i;
+    if (std::abs(body.positions[i].x) > 0.06) {
+      EXPECT_LT(std::min(left, right), 0.20) << i;
+    }
+    EXPECT_LT(std::min(trunk_and_legs, arm), 0.01) << i;
     // A finger's outer bones move nothing of another finger.
     std::set<std::string> outer;
     for (const Influence& f : influences)

@@ -93,9 +93,9 @@ TEST(Gait, FollowsThePublishedAngles) {
   RecordProperty("knee_rms_degrees", std::to_string(rms(knee)));
   RecordProperty("ankle_rms_degrees", std::to_string(rms(ankle)));
   // About one standard deviation of the subjects measured.
-  EXPECT_LT(rms(hip), 6.0);
-  EXPECT_LT(rms(knee), 8.0);
-  EXPECT_LT(rms(ankle), 7.0);
+  EXPECT_LT(rms(hip), 5.0);
+  EXPECT_LT(rms(knee), 5.0);
+  EXPECT_LT(rms(ankle), 9.0);  // its zero depends on the shoe
 }
 
 TEST(Gait, FeetStandStillAndNeverSinkIn) {
@@ -106,27 +106,27 @@ TEST(Gait, FeetStandStillAndNeverSinkIn) {
   for (std::size_t i = 0; i < body.positions.size(); ++i)
     if (body.positions[i].y < 0.004) soles.push_back(i);
   ASSERT_GT(soles.size(), 50u);
-  std::vector<Vec3> before;
+  // A point that is down in three frames running has stood still between the first two.
+  std::vector<std::vector<Vec3>> last;
   double slip = 0, deepest = 0, highest = 0;
-  double last_time = 0;
   for (const double t : key_times(model, demo::kDemoClip)) {
-    const std::vector<Vec3> p = deformed(model, body, globals_at(model, demo::kDemoClip, t));
+    last.push_back(deformed(model, body, globals_at(model, demo::kDemoClip, t)));
+    const std::vector<Vec3>& p = last.back();
     double lowest = 1e9;
     for (const std::size_t i : soles) {
       lowest = std::min(lowest, p[i].y);
-      // A point that is down in two frames hasn't moved between them.
-      if (!before.empty() && p[i].y < 0.004 && before[i].y < 0.004)
-        slip = std::max(slip, glm::length(glm::dvec2(p[i].x - before[i].x, p[i].z - before[i].z)) /
-                                  (t - last_time));
+      if (last.size() < 3 || p[i].y > 0.004 || last[0][i].y > 0.004 || last[1][i].y > 0.004)
+        continue;
+      const Vec3 way = last[1][i] - last[0][i];
+      slip = std::max(slip, 30.0 * std::hypot(way.x, way.z));
     }
     deepest = std::min(deepest, lowest);
     highest = std::max(highest, lowest);
-    before = p;
-    last_time = t;
+    if (last.size() == 3) last.erase(last.begin());
   }
   RecordProperty("slip_metres_a_second", std::to_string(slip));
-  EXPECT_LT(slip, 0.25);  // at walking speed 1.27 m/s
-  EXPECT_GT(deepest, -0.012);
+  EXPECT_LT(slip, 0.30);  // while the body moves at 1.2 m/s
+  EXPECT_GT(deepest, -0.004);
   EXPECT_LT(highest, 0.006);
 }
 
