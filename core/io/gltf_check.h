@@ -46,6 +46,9 @@ struct Checked {
 // forest, and all numbers are finite and of modest size.
 Checked check_document(const Container& container, Folder& folder);
 
+// The name under which the reduced document lists a primitive's indices among its attributes.
+inline constexpr const char* kIndices = "INDICES";
+
 // How errors name a part: `node 5 "LeftArm"`.
 std::string part_name(const char* kind, std::size_t index, const std::string& name);
 

@@ -31,7 +31,10 @@ Json check_primitive(const CheckState& state, const Json& primitive, const std::
   const Json* attributes = member(primitive, "attributes");
   if (!attributes) access.refuse_part(part, "a primitive has no attributes");
   out["attributes"] = check_attributes(state, *attributes, part);
-  put_index(out, "indices", access.index(primitive, "indices", part, state.out.unusable.size()));
+  // As an attribute: tinygltf refuses indices whose accessor has no bufferView (all zeros, or
+  // sparse only), which is legal.
+  put_index(out["attributes"], kIndices,
+            access.index(primitive, "indices", part, state.out.unusable.size()));
   // A material that isn't there costs the colour, not the shape.
   const Json* material = member(primitive, "material");
   if (material && material->is_number()) {

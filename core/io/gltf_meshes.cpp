@@ -55,9 +55,9 @@ void read_triangles(Conversion& to, const tinygltf::Primitive& primitive, const 
                     Mesh& mesh) {
   const std::size_t vertices = mesh.positions.size();
   std::vector<std::uint32_t> corners;
-  if (primitive.indices >= 0) {
-    corners =
-        read_integers(to.source, to.checked, primitive.indices, 1, "its indices", place.where);
+  const int indices = accessor_of(primitive, kIndices);
+  if (indices >= 0) {
+    corners = read_integers(to.source, to.checked, indices, 1, "its indices", place.where);
     for (const std::uint32_t corner : corners) {
       if (corner >= vertices) {
         refuse(place.where,
@@ -66,9 +66,9 @@ void read_triangles(Conversion& to, const tinygltf::Primitive& primitive, const 
       }
     }
   }
-  const std::size_t count = primitive.indices >= 0 ? corners.size() : vertices;
+  const std::size_t count = indices >= 0 ? corners.size() : vertices;
   const auto corner = [&](std::size_t i) {
-    return primitive.indices >= 0 ? corners[i] : static_cast<std::uint32_t>(i);
+    return indices >= 0 ? corners[i] : static_cast<std::uint32_t>(i);
   };
   if (primitive.mode == TINYGLTF_MODE_TRIANGLES) {
     for (std::size_t i = 0; i + 2 < count; i += 3) {
@@ -240,14 +240,15 @@ void read_influences(Conversion& to, const RawInfluences& raw, const Place& plac
   }
 }
 
-// False if the primitive has no triangles.
-bool convert_primitive(Conversion& to, const tinygltf::Primitive& primitive, const Place& place,
-                       Mesh& mesh) {
+enum class Outcome { mesh, no_triangles, left_out };
+
+Outcome convert_primitive(Conversion& to, const tinygltf::Primitive& primitive, const Place& place,
+                          Mesh& mesh) {
   const int positions = accessor_of(primitive, "POSITION");
-  if (!is_triangles(primitive.mode)) return false;
+  if (!is_triangles(primitive.mode)) return Outcome::no_triangles;
   if (positions < 0) {
-    to.model.warnings.push_back(place.part + " has a primitive without positions; it is left out");
-    return false;
+    to.model.warnings.push_back(place.part + " has triangles without positions; they are left out");
+    return Outcome::left_out;
   }
   mesh.material = primitive.material;
   mesh.positions = read_points(to, positions, "its positions", place);
@@ -255,17 +256,17 @@ bool convert_primitive(Conversion& to, const tinygltf::Primitive& primitive, con
   read_normals(to, primitive, place, mesh);
   read_texcoords(to, primitive, place, mesh);
   read_morphs(to, primitive, place, mesh);
-  if (mesh.skin < 0) return true;
+  if (mesh.skin < 0) return Outcome::mesh;
   const RawInfluences raw = read_influence_sets(to, primitive, place, mesh.positions.size());
   if (raw.slots.empty()) {
     to.model.warnings.push_back(place.part +
                                 " has a skin but no joints or weights; it moves with "
                                 "its node");
     mesh.skin = -1;
-    return true;
+    return Outcome::mesh;
   }
   read_influences(to, raw, place, mesh);
-  return true;
+  return Outcome::mesh;
 }
 
 }  // namespace
@@ -292,8 +293,8 @@ void convert_meshes(Conversion& to) {
           elements += to.source.accessors[static_cast<std::size_t>(accessor)].count;
         }
       }
-      if (primitive.indices >= 0) {
-        elements += to.source.accessors[static_cast<std::size_t>(primitive.indices)].count;
+      if (node.skin >= 0) {
+        elements += to.source.skins[static_cast<std::size_t>(node.skin)].joints.size();
       }
       if (elements > most_elements(to.checked)) {
         refuse(place.where,
@@ -308,16 +309,14 @@ void convert_meshes(Conversion& to) {
       mesh.skin = node.skin;
       mesh.source_mesh = node.mesh;
       mesh.source_primitive = static_cast<int>(p);
-      if (convert_primitive(to, primitive, place, mesh)) {
-        to.model.meshes.push_back(std::move(mesh));
-      } else {
-        ++left_out;
-      }
+      const Outcome outcome = convert_primitive(to, primitive, place, mesh);
+      if (outcome == Outcome::mesh) to.model.meshes.push_back(std::move(mesh));
+      if (outcome == Outcome::no_triangles) ++left_out;
     }
   }
   if (left_out > 0) {
-    to.model.warnings.push_back(std::to_string(left_out) +
-                                " primitives without triangles (points, lines) are left out");
+    to.model.warnings.push_back("points and lines are left out (" + std::to_string(left_out) +
+                                " of the meshes' primitives)");
   }
 }
 

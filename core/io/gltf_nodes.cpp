@@ -67,6 +67,18 @@ void convert_nodes(Conversion& to) {
 }
 
 void convert_skins(Conversion& to) {
+  // Skins may share their matrices, and each is looked for among all nodes: a small file could ask
+  // for any amount of work.
+  constexpr std::uint64_t kMostWork = 50'000'000;
+  std::uint64_t work = to.source.skins.size() * to.source.nodes.size();
+  for (const tinygltf::Skin& skin : to.source.skins) {
+    if (skin.inverseBindMatrices < 0) continue;
+    work += 16 * to.source.accessors[static_cast<std::size_t>(skin.inverseBindMatrices)].count;
+  }
+  if (work > kMostWork) {
+    refuse(to.file, "its " + std::to_string(to.source.skins.size()) + " skins are too many",
+           "split the file");
+  }
   for (std::size_t i = 0; i < to.source.skins.size(); ++i) {
     const tinygltf::Skin& source = to.source.skins[i];
     const std::string part = part_name("skin", i, source.name);

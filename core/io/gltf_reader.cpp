@@ -6,13 +6,23 @@
 #include <utility>
 
 #include "core/io/gltf_check.h"
-#include "core/io/gltf_read_parts.h"
 #include "core/io/gltf_parse.h"
+#include "core/io/gltf_read_parts.h"
 #include "core/io/gltf_source.h"
 #include "core/scene/grouping.h"
 
 namespace elbowroom {
 namespace {
+
+// A broken exporter makes the same mistake in every channel; nobody reads the thousandth remark.
+constexpr std::size_t kMostWarnings = 100;
+
+void shorten(std::vector<std::string>& warnings) {
+  if (warnings.size() <= kMostWarnings) return;
+  const std::size_t more = warnings.size() - kMostWarnings;
+  warnings.resize(kMostWarnings);
+  warnings.push_back("and " + std::to_string(more) + " more");
+}
 
 std::shared_ptr<const Model> read(const std::filesystem::path& path, const ReadOptions& options) {
   using namespace gltf;
@@ -36,6 +46,7 @@ std::shared_ptr<const Model> read(const std::filesystem::path& path, const ReadO
   convert_images(to, folder, options.images);
   group_characters_and_objects(*model);
   if (model->skeleton.joints.empty()) model->warnings.push_back("the file holds no nodes");
+  shorten(model->warnings);
   return model;
 }
 

@@ -12,17 +12,39 @@ namespace {
 
 std::size_t index_of(int i) { return static_cast<std::size_t>(i); }
 
-// The lowest node at or above all joints of a skin, -1 if they have no common root. `depth` by
-// node.
-int common_root(const Skeleton& skeleton, const std::vector<int>& depth, const Skin& skin) {
-  int common = skin.joints.empty() ? -1 : skin.joints[0];
-  for (std::size_t i = 1; i < skin.joints.size() && common >= 0; ++i) {
-    int other = skin.joints[i];
-    while (common != other) {
-      if (common < 0 || other < 0) return -1;
-      int& lower = depth[index_of(common)] >= depth[index_of(other)] ? common : other;
-      lower = skeleton.joints[index_of(lower)].parent;
-    }
+// Rank of each node when its tree is walked depth first, parents before children.
+std::vector<int> preorder_ranks(const Skeleton& skeleton) {
+  std::vector<int> rank(skeleton.joints.size(), 0), stack;
+  for (auto it = skeleton.order.rbegin(); it != skeleton.order.rend(); ++it) {
+    if (skeleton.joints[index_of(*it)].parent < 0) stack.push_back(*it);
+  }
+  for (int next = 0; !stack.empty(); ++next) {
+    const int node = stack.back();
+    stack.pop_back();
+    rank[index_of(node)] = next;
+    const std::vector<int>& children = skeleton.children[index_of(node)];
+    stack.insert(stack.end(), children.rbegin(), children.rend());
+  }
+  return rank;
+}
+
+struct Tree {
+  std::vector<int> depth, rank;  // by node
+};
+
+// The lowest node at or above all joints of a skin, -1 if they have no common root: it is the one
+// of the first and the last of them in depth-first order.
+int common_root(const Skeleton& skeleton, const Tree& tree, const Skin& skin) {
+  if (skin.joints.empty()) return -1;
+  const auto by_rank = [&](int a, int b) {
+    return tree.rank[index_of(a)] < tree.rank[index_of(b)];
+  };
+  int common = *std::min_element(skin.joints.begin(), skin.joints.end(), by_rank);
+  int other = *std::max_element(skin.joints.begin(), skin.joints.end(), by_rank);
+  while (common != other) {
+    if (common < 0 || other < 0) return -1;
+    int& lower = tree.depth[index_of(common)] >= tree.depth[index_of(other)] ? common : other;
+    lower = skeleton.joints[index_of(lower)].parent;
   }
   return common;
 }
@@ -42,14 +64,14 @@ void join_groups(std::vector<int>& group, int a, int b) {
   group[index_of(std::max(a, b))] = std::min(a, b);
 }
 
-std::vector<int> skin_groups(const Model& model, const std::vector<int>& depth) {
+std::vector<int> skin_groups(const Model& model, const Tree& tree) {
   std::vector<int> group(model.skins.size());
   std::iota(group.begin(), group.end(), 0);
   // The first skin that claims a node as a joint or as its common root.
   std::vector<int> claim(model.skeleton.joints.size(), -1);
   for (std::size_t s = 0; s < model.skins.size(); ++s) {
     std::vector<int> nodes = model.skins[s].joints;
-    if (const int root = common_root(model.skeleton, depth, model.skins[s]); root >= 0) {
+    if (const int root = common_root(model.skeleton, tree, model.skins[s]); root >= 0) {
       nodes.push_back(root);
     }
     for (const int node : nodes) {
@@ -146,8 +168,8 @@ std::string character_name(const Model& model, const Character& character, int s
   return model.path.stem().string();
 }
 
-void find_characters(Model& model, const std::vector<int>& depth, std::vector<int>& joint_owner) {
-  const std::vector<int> group = skin_groups(model, depth);
+void find_characters(Model& model, const Tree& tree, std::vector<int>& joint_owner) {
+  const std::vector<int> group = skin_groups(model, tree);
   std::vector<bool> used(model.skins.size(), false);
   for (const Mesh& mesh : model.meshes) {
     if (mesh.skin >= 0) used[index_of(group[index_of(mesh.skin)])] = true;
@@ -203,11 +225,17 @@ void find_objects(Model& model, const std::vector<int>& mesh_character) {
     top[index_of(node)] = inherited < 0 && bears[index_of(node)] ? node : inherited;
   }
 
-  std::vector<bool> moved(skeleton.joints.size(), false);  // by a channel of its own
+  std::vector<bool> moved(skeleton.joints.size(),
+                          false);  // by a channel of its own or of a node above
   for (const Clip& clip : model.clips) {
     for (const Channel& channel : clip.channels) {
       if (channel.joint >= 0 && moves(channel)) moved[index_of(channel.joint)] = true;
     }
+  }
+
+  for (const int node : skeleton.order) {
+    const int parent = skeleton.joints[index_of(node)].parent;
+    if (parent >= 0 && moved[index_of(parent)]) moved[index_of(node)] = true;
   }
 
   std::vector<int> object_of_node(skeleton.joints.size(), -1);
@@ -228,9 +256,7 @@ void find_objects(Model& model, const std::vector<int>& mesh_character) {
     Object& object = model.objects[index_of(index)];
     object.meshes.push_back(static_cast<int>(m));
     object.triangles += static_cast<int>(mesh.triangles.size());
-    for (int above = mesh.node; above >= 0; above = skeleton.joints[index_of(above)].parent) {
-      object.animated = object.animated || moved[index_of(above)];
-    }
+    object.animated = object.animated || moved[index_of(mesh.node)];
   }
 }
 
@@ -240,14 +266,16 @@ void group_characters_and_objects(Model& model) {
   model.characters.clear();
   model.objects.clear();
   const Skeleton& skeleton = model.skeleton;
-  std::vector<int> depth(skeleton.joints.size(), 0);
+  Tree tree;
+  tree.rank = preorder_ranks(skeleton);
+  tree.depth.assign(skeleton.joints.size(), 0);
   for (const int node : skeleton.order) {
     const int parent = skeleton.joints[index_of(node)].parent;
-    if (parent >= 0) depth[index_of(node)] = depth[index_of(parent)] + 1;
+    if (parent >= 0) tree.depth[index_of(node)] = tree.depth[index_of(parent)] + 1;
   }
 
   std::vector<int> joint_owner(skeleton.joints.size(), -1);
-  find_characters(model, depth, joint_owner);
+  find_characters(model, tree, joint_owner);
 
   // The character whose joint is nearest above each node.
   std::vector<int> carrier = joint_owner;

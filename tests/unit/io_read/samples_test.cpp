@@ -2,13 +2,11 @@
 // The reader against real files, good and bad.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <set>
 
 #include "core/io/gltf_reader.h"
 #include "tests/support/samples.h"
+#include "tests/unit/io_read/model_checks.h"
 #include "tests/unit/io_read/sample_index.h"
 
 namespace elbowroom {
@@ -16,63 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-int triangles_of(const Model& model) {
-  int sum = 0;
-  for (const Mesh& mesh : model.meshes) sum += static_cast<int>(mesh.triangles.size());
-  return sum;
-}
-
-int joints_of(const Model& model) {
-  std::set<int> joints;
-  for (const Skin& skin : model.skins) joints.insert(skin.joints.begin(), skin.joints.end());
-  return static_cast<int>(joints.size());
-}
-
-// What every Model promises, whatever the file.
-void expect_sound(const Model& model) {
-  const int nodes = model.skeleton.size();
-  ASSERT_EQ(model.skeleton.order.size(), model.skeleton.joints.size());
-  for (const Mesh& mesh : model.meshes) {
-    ASSERT_GE(mesh.node, 0);
-    ASSERT_LT(mesh.node, nodes);
-    for (const glm::uvec3& t : mesh.triangles) {
-      ASSERT_LT(std::max({t.x, t.y, t.z}), mesh.positions.size());
-    }
-    if (mesh.skin < 0) continue;
-    ASSERT_EQ(mesh.influence_begin.size(), mesh.positions.size() + 1);
-    const Skin& skin = model.skins[static_cast<std::size_t>(mesh.skin)];
-    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-      double sum = 0;
-      for (std::uint32_t i = mesh.influence_begin[v]; i < mesh.influence_begin[v + 1]; ++i) {
-        const Influence& influence = mesh.influences[i];
-        ASSERT_EQ(skin.joints[static_cast<std::size_t>(influence.slot)], influence.joint);
-        ASSERT_GE(influence.weight, 0);
-        sum += influence.weight;
-      }
-      ASSERT_NEAR(sum, 1.0, 1e-5);
-    }
-  }
-  for (const Clip& clip : model.clips) {
-    for (const Channel& channel : clip.channels) {
-      ASSERT_GE(channel.joint, 0);
-      ASSERT_LT(channel.joint, nodes);
-      ASSERT_FALSE(channel.times.empty());
-      ASSERT_TRUE(std::is_sorted(channel.times.begin(), channel.times.end(), std::less_equal<>()));
-      const std::size_t per_key = channel.interpolation == Interpolation::cubic_spline ? 3 : 1;
-      ASSERT_EQ(channel.values.size(),
-                per_key * channel.times.size() * static_cast<std::size_t>(channel.components));
-    }
-  }
-  int triangles = 0;
-  for (const Character& character : model.characters) {
-    EXPECT_TRUE(std::isfinite(character.height) && character.height > 0) << character.name;
-    EXPECT_FALSE(character.name.empty());
-    EXPECT_TRUE(std::is_sorted(character.joints.begin(), character.joints.end()));
-    triangles += character.triangles;
-  }
-  for (const Object& object : model.objects) triangles += object.triangles;
-  EXPECT_EQ(triangles, triangles_of(model)) << "each mesh belongs to one character or object";
-}
+using test::expect_sound;
+using test::joints_of;
+using test::triangles_of;
 
 TEST(Samples, OpenWithTheNumbersOfTheIndex) {
   const fs::path samples = test::samples_dir();
@@ -101,6 +45,58 @@ TEST(Samples, OpenWithTheNumbersOfTheIndex) {
     }
     expect_sound(**model);
   }
+}
+
+// Also what the index doesn't list under a heading of its own.
+TEST(Samples, AllOpenButThoseThatNeedAnUnpacker) {
+  const fs::path samples = test::samples_dir();
+  if (samples.empty()) GTEST_SKIP() << test::samples_missing();
+  int opened = 0;
+  for (const fs::path& file : test::gltf_files(samples)) {
+    if (file.string().find("/malformed/") != std::string::npos) continue;
+    SCOPED_TRACE(file.string());
+    const auto model = read_gltf(file);
+    if (!model.ok()) {
+      EXPECT_NE(model.error().what.find("_compression"), std::string::npos)
+          << model.error().message();
+      EXPECT_NE(model.error().remedy.find("gltf-transform"), std::string::npos);
+      continue;
+    }
+    ++opened;
+    expect_sound(**model);
+  }
+  EXPECT_GT(opened, 0);
+}
+
+// A malformed file gives a Model that keeps its promises or an error that names the file; in little
+// time, and nothing outside the file's folder is opened.
+TEST(MalformedSamples, GiveASoundModelOrAnError) {
+  const fs::path samples = test::samples_dir();
+  if (samples.empty()) GTEST_SKIP() << test::samples_missing();
+  int refused = 0;
+  for (const fs::path& file : test::gltf_files(samples / "malformed")) {
+    SCOPED_TRACE(file.string());
+    const fs::path folder = fs::canonical(file.parent_path());
+    ReadOptions options;
+    options.on_open = [&](const fs::path& opened) {
+      const fs::path real = fs::canonical(opened);
+      EXPECT_EQ(real.string().rfind(folder.string() + "/", 0), 0u) << "opened " << real;
+    };
+    const auto begin = std::chrono::steady_clock::now();
+    const auto model = read_gltf(file, options);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    EXPECT_LT(took.count(), 5.0);
+    if (model.ok()) {
+      expect_sound(**model);
+      continue;
+    }
+    ++refused;
+    EXPECT_FALSE(model.error().what.empty());
+    EXPECT_FALSE(model.error().remedy.empty());
+    EXPECT_NE(model.error().where.find(file.filename().string()), std::string::npos)
+        << model.error().message();
+  }
+  EXPECT_GT(refused, 50);
 }
 
 }  // namespace
