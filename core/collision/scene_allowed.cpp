@@ -141,9 +141,7 @@ void list_entries(Data& data) {
 }  // namespace
 
 void find_allowed_contacts(Data& data) {
-  const Actor& view = data.world.actors[static_cast<std::size_t>(data.actor)];
-  const Character& character = view.model->characters[static_cast<std::size_t>(data.character)];
-  const ActorState bind{rest_pose(view.model->skeleton), bind_globals(*view.model, character)};
+  const ActorState bind = bind_state(data.world, data.actor, data.character);
 
   // In the bind pose: joints shared, and patches that touch.
   data.pose(data.begin);

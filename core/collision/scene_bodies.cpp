@@ -17,9 +17,6 @@ namespace {
 
 using Data = SceneCollision::Data;
 
-// Marks an actor that follows nothing of the character in view.
-constexpr int kNotCarried = -2;
-
 std::string owner_name(const Actor& actor) {
   return actor.name.empty() ? actor.model->path.filename().string() : actor.name;
 }
@@ -93,7 +90,7 @@ struct Builder {
     }
     // Own pieces are cut in the bind pose, which is what patches, seams and radii are stated in.
     ActorState bind;
-    if (own) bind = {rest_pose(model.skeleton), bind_globals(model, character)};
+    if (own) bind = bind_state(data.world, actor_index, character_index);
     const ActorState& state = own ? bind : data.states[static_cast<std::size_t>(actor_index)];
     for (auto& [key, triangles] : pieces) {
       const auto& [rigid, limb, segment, frame] = key;
@@ -164,6 +161,15 @@ struct Builder {
 
 }  // namespace
 
+ActorState bind_state(const World& world, int actor, int character) {
+  const Actor& self = world.actors[static_cast<std::size_t>(actor)];
+  ActorState bind{
+      rest_pose(self.model->skeleton),
+      bind_globals(*self.model, self.model->characters[static_cast<std::size_t>(character)])};
+  for (Mat4& m : bind.world_from_joint) m = self.world_from_file * m;
+  return bind;
+}
+
 Status build_bodies(Data& data) {
   Builder builder{data, {}};
   const Actor& view = data.world.actors[static_cast<std::size_t>(data.actor)];
@@ -182,6 +188,20 @@ Status build_bodies(Data& data) {
   if (const Status added = builder.add_character(data.actor, data.character, true, own_entity);
       !added)
     return added;
+
+  // The whole skin, with parts of the same numbers.
+  std::vector<BodyTriangle> skin;
+  for (std::size_t b = 0; b < data.bodies.size(); ++b)
+    if (data.bodies[b].deforms())
+      skin.insert(skin.end(), data.bodies[b].triangles().begin(), data.bodies[b].triangles().end());
+  if (!skin.empty()) {
+    auto whole =
+        CollisionBody::build(view, data.actor, true, -1, std::move(skin),
+                             bind_state(data.world, data.actor, data.character),
+                             data.settings.patch_size * data.height, data.weld_tolerance());
+    if (!whole) return whole.error();
+    data.whole_skin = std::make_unique<CollisionBody>(std::move(whole).value());
+  }
 
   // Where the character stands at the clip's beginning says what it is inside of.
   Box whole{Vec3(1.0), Vec3(-1.0)};

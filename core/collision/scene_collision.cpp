@@ -124,6 +124,14 @@ void SceneCollision::contacts_at(double t, int only_limb, bool list_allowed,
   data_->pose(t);
   for (TestPair& pair : data_->pairs_now().pairs)
     if (data_->concerns(pair, only_limb)) data_->pair_contacts(pair, only_limb, list_allowed, out);
+  for (const EnclosedObject& object : enclosed_objects(*data_, only_limb)) {
+    ContactSample sample = enclosed_sample(*data_, object, only_limb);
+    // What a single body encloses is told of already.
+    const bool known = std::any_of(out.begin(), out.end(), [&](const ContactSample& other) {
+      return other.part_b == sample.part_b && !other.allowed;
+    });
+    if (!known) out.push_back(std::move(sample));
+  }
 }
 
 bool SceneCollision::limb_in_contact(double t, int limb, double distance) {
@@ -132,7 +140,7 @@ bool SceneCollision::limb_in_contact(double t, int limb, double distance) {
   const double at = std::max(distance, data_->touching());
   for (TestPair& pair : data_->pairs_now().pairs)
     if (data_->concerns(pair, limb) && data_->pair_in_contact(pair, at)) return true;
-  return false;
+  return !enclosed_objects(*data_, limb).empty();
 }
 
 double SceneCollision::limb_clearance(double t, int limb, double at_most) {
@@ -144,6 +152,7 @@ double SceneCollision::limb_clearance(double t, int limb, double at_most) {
     clearance = std::min(clearance, data_->pair_clearance(pair, clearance));
     if (!(clearance > 0)) return 0;
   }
+  if (!enclosed_objects(*data_, limb).empty()) return 0;
   return clearance;
 }
 

@@ -35,8 +35,11 @@ struct TestPair {
   PairCache cache;
 };
 
+// The segment of an actor that follows nothing of the character in view.
+inline constexpr int kNotCarried = -2;
+
 struct PairList {
-  std::vector<LimbSide> side_of_actor;  // for the carried; limb -1 and segment -2: not carried
+  std::vector<LimbSide> side_of_actor;  // for the carried; limb -1 and kNotCarried: not carried
   std::vector<TestPair> pairs;
 };
 
@@ -52,6 +55,9 @@ struct SceneCollision::Data {
   std::vector<std::string> parts;  // names by part number
   std::vector<CollisionBody> bodies;
   std::vector<BodyRole> roles;
+  // All of the character's skin in one: what lies inside it across the cuts between bodies.
+  std::unique_ptr<CollisionBody> whole_skin;
+  std::uint64_t whole_stamp = 0;
   std::vector<LimbSide> side_of_node;          // of the actor in view
   std::vector<std::vector<bool>> limb_within;  // [x][y]: limb x is y or hangs below it
   std::map<std::pair<int, int>, AllowedPatches> allowed_pairs;  // by bodies, lower first
@@ -98,6 +104,23 @@ struct SceneCollision::Data {
                      std::vector<ContactSample>& out);
   double pair_clearance(TestPair& pair, double at_most);
 };
+
+// An object that lies wholly inside the character's skin, and the part it is nearest to.
+struct EnclosedObject {
+  int body = -1;
+  int part = -1, limb = -1;  // limb -1: the trunk
+  int object_part = -1;
+  Vec3 place{0.0};   // query space
+  double depth = 0;  // of that place
+};
+// Objects that no cut-out body encloses alone, as the world is posed; with only_limb ≥ 0 those
+// inside that limb. What the character carries is not looked at (scene_enclosed.cpp).
+std::vector<EnclosedObject> enclosed_objects(SceneCollision::Data& data, int only_limb);
+ContactSample enclosed_sample(const SceneCollision::Data& data, const EnclosedObject& object,
+                              int only_limb);
+
+// The character in view in its bind pose, where the world places its file.
+ActorState bind_state(const World& world, int actor, int character);
 
 // Building steps, in their order (scene_bodies.cpp, scene_allowed.cpp).
 Status build_bodies(SceneCollision::Data& data);

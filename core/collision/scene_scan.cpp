@@ -22,9 +22,12 @@ constexpr double kMostSamples = 4e6;    // of a hostile interval or rate
 // What makes two samples the same contact: bodies, parts, limb and verdict.
 using Key = std::tuple<int, int, std::string, std::string, int, bool, AllowedReason>;
 
-Key key_of(const TestPair& pair, const ContactSample& sample) {
-  return {pair.a, pair.b, sample.part_a, sample.part_b, sample.limb, sample.allowed, sample.reason};
+Key key_of(int a, int b, const ContactSample& sample) {
+  return {a, b, sample.part_a, sample.part_b, sample.limb, sample.allowed, sample.reason};
 }
+
+// The first body of a contact by enclosure: the whole skin.
+constexpr int kWholeSkin = -1;
 
 std::vector<double> scan_times(const Data& data, double begin, double end, double rate) {
   if (!(rate > 0) || !std::isfinite(rate)) rate = kUsualRate;
@@ -57,12 +60,18 @@ struct Scan {
   // Is the contact there at t?
   bool present(const Key& key, double t) {
     data.pose(t);
+    if (std::get<0>(key) == kWholeSkin) {
+      const auto objects = enclosed_objects(data, only_limb);
+      return std::any_of(objects.begin(), objects.end(), [&](const auto& object) {
+        return key_of(kWholeSkin, object.body, enclosed_sample(data, object, only_limb)) == key;
+      });
+    }
     for (TestPair& pair : data.pairs_now().pairs) {
       if (pair.a != std::get<0>(key) || pair.b != std::get<1>(key)) continue;
       scratch.clear();
       data.pair_contacts(pair, only_limb, list_allowed, scratch);
       return std::any_of(scratch.begin(), scratch.end(),
-                         [&](const auto& sample) { return key_of(pair, sample) == key; });
+                         [&](const auto& sample) { return key_of(pair.a, pair.b, sample) == key; });
     }
     return false;
   }
@@ -98,7 +107,14 @@ std::vector<ContactInterval> SceneCollision::scan(double begin, double end, doub
       if (!data.concerns(pair, only_limb)) continue;
       samples.clear();
       data.pair_contacts(pair, only_limb, list_allowed, samples);
-      for (ContactSample& sample : samples) now.try_emplace(key_of(pair, sample), sample);
+      for (ContactSample& sample : samples) now.try_emplace(key_of(pair.a, pair.b, sample), sample);
+    }
+    for (const EnclosedObject& object : enclosed_objects(data, only_limb)) {
+      const ContactSample sample = enclosed_sample(data, object, only_limb);
+      const bool known = std::any_of(now.begin(), now.end(), [&](const auto& other) {
+        return other.second.part_b == sample.part_b && !other.second.allowed;
+      });
+      if (!known) now.try_emplace(key_of(kWholeSkin, object.body, sample), sample);
     }
     for (auto it = open.begin(); it != open.end();) {
       if (now.contains(it->first)) {

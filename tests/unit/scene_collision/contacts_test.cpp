@@ -34,7 +34,7 @@ TEST(SceneContacts, ANeedleBetweenVerticesIsFoundFromBothItsSides) {
   // Thinner than any mesh spacing of the arm, long enough to come out on both sides.
   for (const bool upright : {true, false}) {
     Shape needle =
-        upright ? box_shape({0.0005f, 0.3f, 0.0005f}) : box_shape({0.3f, 0.0005f, 0.0005f});
+        upright ? box_shape({0.0005f, 0.3f, 0.0005f}) : box_shape({0.0005f, 0.0005f, 0.3f});
     const auto post = make_object("Needle", needle);
     SceneCollision scene = scene_of(
         world_of(make_figure(), still(), {actor("needle.glb", post, Vec3(0.6137, 1.4, 0.0113))}));
@@ -50,6 +50,17 @@ TEST(SceneContacts, ANeedleBetweenVerticesIsFoundFromBothItsSides) {
       EXPECT_LT(glm::distance(contact.place, Vec3(0.6, 1.4, 0)), 0.45);
     }
   }
+}
+
+TEST(SceneContacts, ANeedleAlongTheBonesIsInsideAcrossTheCuts) {
+  const auto needle = make_object("Needle", box_shape({0.2f, 0.001f, 0.001f}));
+  const World world =
+      world_of(make_figure(), still(), {actor("needle.glb", needle, Vec3(0.6, 1.4, 0))});
+  SceneCollision scene = scene_of(world);
+  EXPECT_TRUE(scene.limb_in_contact(0.5, 0, kEpsilon));
+  EXPECT_EQ(scene.limb_clearance(0.5, 0, 0.1), 0);
+  EXPECT_TRUE(touches(scene, 0.5, "Needle"));
+  ASSERT_FALSE(scene.scan(0, 1, 20, 0, false).empty());
 }
 
 TEST(SceneContacts, NearIsNotTouchingButForAWiderDistance) {
