@@ -223,6 +223,7 @@ void draw_header(Picture& page, const Fonts& fonts, const FilmstripRequest& requ
 Style FilmstripRequest::strip_style() {
   Style style;
   style.key_follows_camera = true;
+  style.key_elevation = 40;
   return style;
 }
 
@@ -241,6 +242,7 @@ Result<Picture> render_filmstrip(SceneRenderer& renderer, const FilmstripRequest
   wanted.actor = request.actor;
   wanted.character = request.character;
   wanted.limb = request.limb;
+  wanted.forward = request.forward;
   wanted.azimuth = request.azimuth;
   wanted.elevation = request.elevation;
   wanted.focus = request.focus;

@@ -40,6 +40,7 @@ struct FilmstripRequest {
   std::string caption;           // quiet text under the title
   int actor = 0, character = 0;  // the figure
   std::vector<int> limb;         // nodes of the acting limb; may be empty
+  std::optional<Vec3> forward;   // the way the figure faces; found from its motion if not given
 
   // The camera; see render/shot.h. What is not given is chosen.
   std::optional<double> azimuth, elevation;  // radians

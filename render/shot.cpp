@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace elbowroom {
 namespace {
@@ -80,8 +81,8 @@ Moment look_at(const ShotRequest& request, std::size_t index, double size) {
     for (std::size_t i = first; i < moment.figure.size(); ++i) region.add(moment.figure[i]);
     if (region.empty()) continue;
     const double ground = region.lower.y;
-    region.lower -= Vec3(0.22, 0.0, 0.22) * size;
-    region.upper += Vec3(0.22, 0.12, 0.22) * size;
+    region.lower -= Vec3(0.12, 0.0, 0.12) * size;
+    region.upper += Vec3(0.12, 0.05, 0.12) * size;
     for (std::size_t a = 0; a < world->actors.size(); ++a) {
       if (!world->actors[a].model) continue;
       const auto own = figure_meshes(*world, a, request);
@@ -141,8 +142,8 @@ Visibility measure(const std::vector<Pick>& picks, int side, const Camera& camer
     if (!pick.hit()) continue;
     const auto& own = figure[static_cast<std::size_t>(pick.actor)];
     if (std::find(own.begin(), own.end(), pick.mesh) == own.end()) continue;
-    seen.figure += 1;
     const Actor& actor = world.actors[static_cast<std::size_t>(pick.actor)];
+    if (!actor.attachment) seen.figure += 1;
     const Mesh& mesh = actor.model->meshes[static_cast<std::size_t>(pick.mesh)];
     if (actor.attachment ||
         (pick.actor == request.actor && is_marked(mesh, pick.triangle, marked))) {
@@ -165,15 +166,42 @@ Visibility measure(const std::vector<Pick>& picks, int side, const Camera& camer
   return seen;
 }
 
-// The way the figure faces, as a camera azimuth: where it goes to, else +z of its file.
+// The way the toes point: from the ankles to what is on the ground before them, over all times.
+Vec3 toes(const std::vector<Moment>& moments, double size) {
+  Vec3 way(0.0);
+  for (const auto& moment : moments) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const auto& p : moment.figure) lowest = std::min(lowest, p.y);
+    Vec3 low(0.0), high(0.0);
+    double low_count = 0, high_count = 0;
+    for (const auto& p : moment.figure) {
+      const double height = (p.y - lowest) / size;
+      if (height < 0.03) low += p, low_count += 1;
+      if (height > 0.06 && height < 0.13) high += p, high_count += 1;
+    }
+    if (low_count > 0 && high_count > 0) way += low / low_count - high / high_count;
+  }
+  way.y = 0;
+  return way / static_cast<double>(moments.size());
+}
+
+// The way the figure faces, as a camera azimuth: as told, else where it goes to, else where its
+// toes point, else +z of its file.
 double facing(const ShotRequest& request, const std::vector<Moment>& moments, double size) {
+  const auto azimuth = [](const Vec3& way) { return std::atan2(way.x, way.z); };
+  if (request.forward && finite(*request.forward) &&
+      std::hypot(request.forward->x, request.forward->z) > 0) {
+    return azimuth(*request.forward);
+  }
   const Vec3 way = moments.back().centre - moments.front().centre;
-  if (std::hypot(way.x, way.z) > 0.35 * size) return std::atan2(way.x, way.z);
+  if (std::hypot(way.x, way.z) > 0.35 * size) return azimuth(way);
+  const Vec3 pointed = toes(moments, size);
+  if (std::hypot(pointed.x, pointed.z) > 0.015 * size) return azimuth(pointed);
   const auto& actors = request.worlds.front()->actors;
   const auto index = static_cast<std::size_t>(std::max(request.actor, 0));
   if (index >= actors.size()) return 0;
   const Vec3 z = Vec3(actors[index].world_from_file[2]);
-  return finite(z) && std::hypot(z.x, z.z) > 0 ? std::atan2(z.x, z.z) : 0;
+  return finite(z) && std::hypot(z.x, z.z) > 0 ? azimuth(z) : 0;
 }
 
 struct Angles {
@@ -191,7 +219,7 @@ std::vector<Angles> candidates(const ShotRequest& request, double front) {
     }
   }
   if (request.azimuth) around = {{*request.azimuth, 0, 1}};
-  std::vector<std::pair<double, double>> heights = {{9, 1.0}, {20, 0.93}};
+  std::vector<std::pair<double, double>> heights = {{10, 1.0}, {4, 0.97}, {20, 0.9}};
   if (request.elevation) heights = {{glm::degrees(*request.elevation), 1.0}};
   for (const auto& a : around) {
     for (const auto& [degrees, liking] : heights) {
@@ -201,18 +229,24 @@ std::vector<Angles> candidates(const ShotRequest& request, double front) {
   return out;
 }
 
-// Up to `count` indices, spread over the times, those with contacts first.
-std::vector<std::size_t> telling_moments(const std::vector<Moment>& moments, std::size_t count) {
-  std::vector<std::size_t> with, chosen;
+// Up to `count` of these, evenly spread.
+std::vector<std::size_t> spread(const std::vector<std::size_t>& from, std::size_t count) {
+  std::vector<std::size_t> chosen;
+  count = std::min(count, from.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    chosen.push_back(from[(2 * k + 1) * from.size() / (2 * count)]);
+  }
+  return chosen;
+}
+
+// The times that decide on the view: some with contacts and some without, four in all.
+std::vector<std::size_t> telling_moments(const std::vector<Moment>& moments) {
+  std::vector<std::size_t> with, without;
   for (std::size_t i = 0; i < moments.size(); ++i) {
-    if (!moments[i].contacts.empty()) with.push_back(i);
+    (moments[i].contacts.empty() ? without : with).push_back(i);
   }
-  if (with.empty()) {
-    for (std::size_t i = 0; i < moments.size(); ++i) with.push_back(i);
-  }
-  for (std::size_t k = 0; k < std::min(count, with.size()); ++k) {
-    chosen.push_back(with[(2 * k + 1) * with.size() / (2 * std::min(count, with.size()))]);
-  }
+  std::vector<std::size_t> chosen = spread(with, without.empty() ? 4 : 2);
+  for (const auto i : spread(without, 4 - chosen.size())) chosen.push_back(i);
   return chosen;
 }
 
@@ -278,7 +312,9 @@ Shot plan_shot(SceneRenderer& renderer, const ShotRequest& request, double aspec
 
   const auto angles = candidates(request, facing(request, moments, shot.size));
   std::vector<Visibility> seen(angles.size(), Visibility{0, 0, 0});
-  const auto telling = telling_moments(moments, 3);
+  const auto telling = telling_moments(moments);
+  double with_contacts = 0;
+  for (const auto i : telling) with_contacts += moments[i].contacts.empty() ? 0.0 : 1.0;
   constexpr int kSide = 128;
   Frame frame;
   std::vector<ActorState> states;
@@ -300,7 +336,7 @@ Shot plan_shot(SceneRenderer& renderer, const ShotRequest& request, double aspec
           measure(picks, kSide, moved, world, request, marked, moments[i].contacts, shot.size);
       seen[c].limb += now.limb;
       seen[c].figure += now.figure;
-      seen[c].contacts += now.contacts / static_cast<double>(telling.size());
+      if (!moments[i].contacts.empty()) seen[c].contacts += now.contacts / with_contacts;
     }
   }
   double most_limb = 0, most_figure = 0;
@@ -313,8 +349,9 @@ Shot plan_shot(SceneRenderer& renderer, const ShotRequest& request, double aspec
   for (std::size_t c = 0; c < angles.size(); ++c) {
     const double limb = most_limb > 0 ? seen[c].limb / most_limb : 1.0;
     const double figure = most_figure > 0 ? seen[c].figure / most_figure : 1.0;
-    const double score = angles[c].liking * (0.2 + 0.8 * seen[c].contacts) * (0.45 + 0.55 * limb) *
-                         (0.6 + 0.4 * figure);
+    const double contacts = with_contacts > 0 ? seen[c].contacts : 1.0;
+    const double score =
+        angles[c].liking * (0.2 + 0.8 * contacts) * (0.45 + 0.55 * limb) * (0.35 + 0.65 * figure);
     if (score > best_score + 1e-9) {
       best_score = score;
       best = c;

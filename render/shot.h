@@ -21,9 +21,10 @@ enum class CameraMove { automatic, fixed, follow };
 struct ShotRequest {
   std::vector<const World*> worlds;  // all are framed alike; the first decides on sides
   std::vector<double> times;
-  int actor = 0;          // whose file holds the figure
-  int character = 0;      // in its model; without characters all bodies are the figure
-  std::vector<int> limb;  // nodes of the acting limb; may be empty
+  int actor = 0;                // whose file holds the figure
+  int character = 0;            // in its model; without characters all bodies are the figure
+  std::vector<int> limb;        // nodes of the acting limb; may be empty
+  std::optional<Vec3> forward;  // the way the figure faces; found from its motion if not given
   std::vector<std::vector<Vec3>> contacts;  // by time; may be shorter
 
   std::optional<double> azimuth, elevation;  // as in Camera; what is not given is chosen

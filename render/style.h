@@ -37,7 +37,7 @@ struct Style {
   float key = 1.45f;
   float key_size = 0.055f;  // tangent of the light's angular radius: softness of shadows
   Rgb fill_colour = 0xb9c9ea;
-  float fill = 0.30f;
+  float fill = 0.38f;
   Rgb sky_colour = 0xc3cfe6;
   float sky = 0.34f;
   Rgb bounce_colour = 0x8a7f78;  // ambient light from below

@@ -21,13 +21,16 @@ float key_visibility(vec3 position, vec3 normal, vec2 pixel) {
   if (any(lessThan(uvz.xy, vec2(0.0))) || any(greaterThan(uvz.xy, vec2(1.0)))) return 1.0;
   float turn = 6.2831853 * pattern(pixel);
 
-  const int kSearch = 10;
+  // Dense about the middle, so that small things that nearly touch are never missed by some pixels
+  // and found by others.
+  const int kSearch = 16;
   float search = min(tangent * uvz.z * range, 0.06 * width) + 2.0 * texel;
   float blockers = 0.0, depth_sum = 0.0;
   for (int i = 0; i < kSearch; ++i) {
     vec2 offset = disc(i, kSearch, turn);
-    float bias = (texel + length(offset) * search) * slope / range;
-    float depth = textureLod(shadow_depth, uvz.xy + offset * search / width, 0.0).r;
+    offset *= search * dot(offset, offset);
+    float bias = (texel + length(offset)) * slope / range;
+    float depth = textureLod(shadow_depth, uvz.xy + offset / width, 0.0).r;
     if (depth < min(uvz.z - bias, 0.9999)) {
       blockers += 1.0;
       depth_sum += depth;
