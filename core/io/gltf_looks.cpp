@@ -31,7 +31,7 @@ std::string decode(const Bytes& bytes, Image& image) {
   int width = 0, height = 0, channels = 0;
   if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels) || width <= 0 ||
       height <= 0) {
-    return "it is neither PNG nor JPEG";
+    return std::string("it can't be decoded: ") + stbi_failure_reason();
   }
   const std::uint64_t pixels =
       static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
@@ -39,7 +39,7 @@ std::string decode(const Bytes& bytes, Image& image) {
     return "it claims " + std::to_string(width) + " by " + std::to_string(height) + " pixels";
   }
   stbi_uc* decoded = stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4);
-  if (!decoded) return stbi_failure_reason();
+  if (!decoded) return std::string("it can't be decoded: ") + stbi_failure_reason();
   image.width = width;
   image.height = height;
   image.rgba.assign(
