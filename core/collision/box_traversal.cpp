@@ -104,8 +104,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Lanes = hn::CappedTag<float, BoxTree::kWidth>;
 using Vector = hn::Vec<Lanes>;
 
-// Bit i: the box of child i is not surely farther than `margin` from `box`. With kBound, a lower
-// bound of each child's distance is stored too.
+// Bit i: the box of child i is not surely farther than `margin` from `box`. `bounds` gets a lower
+// bound of each child's distance with kBound; without, its largest gap along any face's normal:
+// the lower, the deeper the two boxes lie in one another.
 template <bool kBound>
 HWY_INLINE std::uint32_t overlaps(const BoxTree::Node& node, const Frame& f, const Box& box,
                                   float margin, float slack, float* bounds) {
@@ -128,7 +129,8 @@ HWY_INLINE std::uint32_t overlaps(const BoxTree::Node& node, const Frame& f, con
     }
     const Vector limit = hn::Set(d, margin);
     // A separating axis must show itself: comparisons with NaN keep the pair.
-    auto apart = hn::Gt(hn::Max(hn::Max(gap[0], gap[1]), gap[2]), limit);
+    const Vector widest = hn::Max(hn::Max(gap[0], gap[1]), gap[2]);
+    auto apart = hn::Gt(widest, limit);
     if (!kBound && hn::AllTrue(d, apart)) continue;
     Vector other_gap[3];
     for (int j = 0; j < 3; ++j) {
@@ -140,8 +142,8 @@ HWY_INLINE std::uint32_t overlaps(const BoxTree::Node& node, const Frame& f, con
                                   hn::Mul(half[2], hn::Set(d, f.abs_r[2][j])));
       other_gap[j] = hn::Sub(hn::Abs(along), hn::Add(span, hn::Set(d, box.half[j])));
     }
-    apart =
-        hn::Or(apart, hn::Gt(hn::Max(hn::Max(other_gap[0], other_gap[1]), other_gap[2]), limit));
+    const Vector widest_of_other = hn::Max(hn::Max(other_gap[0], other_gap[1]), other_gap[2]);
+    apart = hn::Or(apart, hn::Gt(widest_of_other, limit));
     if constexpr (kBound) {
       const Vector zero = hn::Zero(d);
       Vector square[2] = {zero, zero};
@@ -155,6 +157,7 @@ HWY_INLINE std::uint32_t overlaps(const BoxTree::Node& node, const Frame& f, con
       apart = hn::Or(apart, hn::Gt(bound, limit));
     } else {
       if (hn::AllTrue(d, apart)) continue;
+      hn::Store(hn::Max(widest, widest_of_other), d, bounds + first);
       for (int i = 0; i < 3; ++i) {
         const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
         for (int j = 0; j < 3; ++j) {
@@ -230,9 +233,11 @@ bool VisitClose(const Pair& pair, double distance, PairVisitor visitor, void* co
     const Entry entry = stack[--count];
     const Frame& frame = pair.frame[entry.side];
     const BoxTree::Node& node = frame.tree->nodes[static_cast<std::size_t>(entry.open)];
-    std::uint32_t bits = overlaps<false>(node, frame, entry.box, margin, 0.0f, nullptr);
+    alignas(64) float gaps[BoxTree::kWidth];
+    std::uint32_t bits = overlaps<false>(node, frame, entry.box, margin, 0.0f, gaps);
     std::uint32_t many[BoxTree::kWidth];
-    int leaves = 0;
+    int leaves = 0, deepest = count;
+    float deepest_gap = std::numeric_limits<float>::infinity();
     const bool against_triangle = BoxTree::is_triangle(entry.against);
     while (bits != 0) {
       const int i = __builtin_ctz(bits);
@@ -240,9 +245,15 @@ bool VisitClose(const Pair& pair, double distance, PairVisitor visitor, void* co
       if (against_triangle && BoxTree::is_triangle(node.child[i])) {
         many[leaves++] = BoxTree::triangle_of(node.child[i]);
       } else {
+        if (gaps[i] < deepest_gap) {
+          deepest_gap = gaps[i];
+          deepest = count;
+        }
         descend(node, i, entry, stack[count++]);
       }
     }
+    // The deepest pair goes on top: surfaces that cross are found soonest there.
+    if (deepest + 1 < count) std::swap(stack[deepest], stack[count - 1]);
     if (leaves > 0 &&
         visitor(context, BoxTree::triangle_of(entry.against), many, leaves, entry.side == 1)) {
       return true;

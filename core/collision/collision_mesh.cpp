@@ -29,8 +29,6 @@ RigidTransform operator*(const RigidTransform& a_from_b, const RigidTransform& b
   return {a_from_b.rotation * b_from_c.rotation, a_from_b * b_from_c.translation};
 }
 
-Vec3 operator*(const RigidTransform& t, const Vec3& p) { return t.rotation * p + t.translation; }
-
 Result<CollisionMesh> CollisionMesh::build(std::span<const glm::vec3> positions,
                                            std::span<const glm::uvec3> triangles,
                                            Openings openings) {

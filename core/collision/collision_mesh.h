@@ -24,7 +24,9 @@ struct RigidTransform {
 };
 RigidTransform inverse(const RigidTransform& t);
 RigidTransform operator*(const RigidTransform& a_from_b, const RigidTransform& b_from_c);
-Vec3 operator*(const RigidTransform& t, const Vec3& p);
+inline Vec3 operator*(const RigidTransform& t, const Vec3& p) {
+  return t.rotation * p + t.translation;
+}
 
 // Whether components with openings have an inside (DESIGN.md, "Contact"). A bowl has none: what
 // lies in it touches nothing. A body part cut out of a skin has: give `capped` for those, and every

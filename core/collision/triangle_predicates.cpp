@@ -107,9 +107,24 @@ bool segment_meets(const Vec3& p, const Vec3& q, const TrianglePoints& t, int si
   return s0 * s2 >= 0 && s1 * s2 >= 0;
 }
 
+// Signs of three points against a triangle's plane: those of orient3d(plane, point), with the
+// normal computed once for the filter.
 void sides(const TrianglePoints& plane, const TrianglePoints& points, int out[3]) {
-  for (int i = 0; i < 3; ++i) {
-    out[i] = orient3d(plane[0], plane[1], plane[2], points[static_cast<std::size_t>(i)]);
+  const Vec3 u = plane[1] - plane[0], v = plane[2] - plane[0];
+  const double xy = u.x * v.y, yx = u.y * v.x, yz = u.y * v.z, zy = u.z * v.y, zx = u.z * v.x,
+               xz = u.x * v.z;
+  const Vec3 n(yz - zy, zx - xz, xy - yx);
+  const Vec3 m(std::abs(yz) + std::abs(zy), std::abs(zx) + std::abs(xz),
+               std::abs(xy) + std::abs(yx));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 w = points[i] - plane[0];
+    const double s = n.x * w.x + n.y * w.y + n.z * w.z;
+    // Three roundings of differences, one of products and one of the difference in n, one of the
+    // product and two of the sum: below 9 units of 2^-53 of the permanent, with room to spare.
+    const double bound =
+        16 * kEps * (m.x * std::abs(w.x) + m.y * std::abs(w.y) + m.z * std::abs(w.z));
+    // orient3d() is positive below the plane.
+    out[i] = s > bound ? -1 : s < -bound ? 1 : orient3d(plane[0], plane[1], plane[2], points[i]);
   }
 }
 
@@ -288,7 +303,7 @@ bool triangles_touch(const TrianglePoints& a, const TrianglePoints& b, double di
   if (!(distance > 0)) return triangles_intersect(a, b);
   if (surely_apart(a, b, distance)) return false;
   const double d2 = distance * distance;
-  return closest_points(a, b, d2).distance2 <= d2 || triangles_intersect(a, b);
+  return triangles_intersect(a, b) || closest_points(a, b, d2).distance2 <= d2;
 }
 
 Vec3 intersection_point(const TrianglePoints& a, const TrianglePoints& b) {
