@@ -47,7 +47,7 @@ struct BodyShape::Data {
               {1.440, 0.120, 0.076, 0, 0.026},
               {1.475, 0.072, 0.058, 0, 0.028},
               {1.500, 0.050, 0.050, 0, 0.026}},
-             2.3};
+             0.25};
 
   Loft upper_arm = limb(shoulder, elbow,
                         {{-0.030, 0.038, 0.040},
@@ -75,7 +75,7 @@ struct BodyShape::Data {
              {0.060, 0.0405, 0.0165, 0.001},
              {0.085, 0.0410, 0.0135, 0.001},
              {0.097, 0.0370, 0.0100, 0.002}},
-            2.6};
+            0.42};
 
   Loft thigh = limb(hip, knee,
                     {{-0.060, 0.062, 0.078, -0.004, 0.004},
@@ -115,7 +115,7 @@ struct BodyShape::Data {
              {0.185, 0.026, 0.0370, 0.015},
              {0.200, 0.018, 0.0250, 0.015},
              {0.207, 0.008, 0.0120, 0.015}},
-            2.4};
+            0.32};
 
   Bounds arm_bounds, hand_bounds, leg_bounds, head_bounds;
 
@@ -134,7 +134,7 @@ struct BodyShape::Data {
   static Loft limb(const Vec3& from, const Vec3& to, std::vector<Section> sections) {
     const Vec3 axis = glm::normalize(to - from);
     const Vec3 ahead = glm::normalize(Vec3(0, 0, 1) - axis.z * axis);
-    return Loft(from, axis, glm::cross(ahead, axis) * -1.0, std::move(sections), 2.0);
+    return Loft(from, axis, glm::cross(ahead, axis) * -1.0, std::move(sections));
   }
 
   double head(const Vec3& p) const {

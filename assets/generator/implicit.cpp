@@ -68,14 +68,14 @@ void fill_slopes(const std::vector<Section>& s, double Section::*member,
 }  // namespace
 
 Loft::Loft(const Vec3& origin, const Vec3& axis, const Vec3& u, std::vector<Section> sections,
-           double exponent)
+           double squareness)
     : origin_(origin),
       axis_(axis),
       u_(u),
       v_(glm::cross(axis, u)),
       sections_(std::move(sections)),
       slopes_(sections_.size(), Section{0, 0, 0}),
-      exponent_(exponent) {
+      squareness_(squareness) {
   for (auto member : {&Section::half_u, &Section::half_v, &Section::shift_u, &Section::shift_v})
     fill_slopes(sections_, member, slopes_);
 }
@@ -98,21 +98,26 @@ double Loft::operator()(const Vec3& p) const {
   const double x = std::abs(glm::dot(d, u_) - value(&Section::shift_u));
   const double y = std::abs(glm::dot(d, v_) - value(&Section::shift_v));
   const double qx = x / ru, qy = y / rv;
-  // First-order distance: value over gradient length, of the superellipse's p-norm.
+  // First-order distance: value over gradient length. The section's norm lies between that of an
+  // ellipse and that of fourth powers, both by square roots alone, so that every machine's library
+  // gives the same bits.
+  double norm = std::sqrt(qx * qx + qy * qy);
   double side;
-  if (exponent_ == 2.0) {
-    const double k0 = std::sqrt(qx * qx + qy * qy);
-    const double k1 = std::sqrt(qx * qx / (ru * ru) + qy * qy / (rv * rv));
-    side = k1 < 1e-9 ? -std::min(ru, rv) : k0 * (k0 - 1.0) / k1;
+  if (norm < 1e-6) {
+    side = -std::min(ru, rv);
   } else {
-    const double e = exponent_;
-    const double norm = std::pow(std::pow(qx, e) + std::pow(qy, e), 1.0 / e);
-    if (norm < 1e-6) {
-      side = -std::min(ru, rv);
-    } else {
-      const double gx = std::pow(qx / norm, e - 1.0) / ru, gy = std::pow(qy / norm, e - 1.0) / rv;
-      side = (norm - 1.0) / std::sqrt(gx * gx + gy * gy);
+    double gx = qx / norm, gy = qy / norm;
+    if (squareness_ > 0) {
+      const double x2 = qx * qx, y2 = qy * qy;
+      const double fourth = std::sqrt(std::sqrt(x2 * x2 + y2 * y2));
+      const double cube = fourth * fourth * fourth;
+      gx = glm::mix(gx, x2 * qx / cube, squareness_);
+      gy = glm::mix(gy, y2 * qy / cube, squareness_);
+      norm = glm::mix(norm, fourth, squareness_);
     }
+    gx /= ru;
+    gy /= rv;
+    side = (norm - 1.0) / std::sqrt(gx * gx + gy * gy);
   }
   const double end = std::abs(along - s);
   if (end <= 0) return side;

@@ -19,7 +19,7 @@ double tapered_capsule(const Vec3& p, const Vec3& a, const Vec3& b, double ra, d
 // Axis-parallel ellipsoid.
 double ellipsoid(const Vec3& p, const Vec3& centre, const Vec3& radii);
 
-// A stack of superellipses along a straight axis, their numbers interpolated by a smooth curve:
+// A stack of rounded sections along a straight axis, their numbers interpolated by a smooth curve:
 // what a draughtsman gives as sections of a limb or trunk.
 struct Section {
   double at;                        // along the axis from its origin
@@ -29,17 +29,17 @@ struct Section {
 
 class Loft {
  public:
-  // Axis, u and v orthonormal. `sections` ascend by `at`, at least two. Exponent 2 gives ellipses,
-  // more gives squarer sections.
+  // Axis, u and v orthonormal. `sections` ascend by `at`, at least two. Squareness 0 gives
+  // ellipses, 1 sections like rounded boxes.
   Loft(const Vec3& origin, const Vec3& axis, const Vec3& u, std::vector<Section> sections,
-       double exponent = 2.0);
+       double squareness = 0.0);
   double operator()(const Vec3& p) const;
 
  private:
   Vec3 origin_, axis_, u_, v_;
   std::vector<Section> sections_;
   std::vector<Section> slopes_;  // d/d(at) of each number at each section
-  double exponent_;
+  double squareness_;
 };
 
 // A box outside which a group of shapes is too far away to matter.

@@ -37,9 +37,9 @@ class Remesher {
         ++collapsed;
       }
       mesh_.garbage_collection();
-      project_all();
       if (collapsed == 0) break;
     }
+    project_all();
   }
 
   void split_long() {

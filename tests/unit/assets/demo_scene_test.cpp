@@ -58,10 +58,18 @@ bool cross(const Shape& x, const Shape& y) {
   std::vector<std::pair<Box, glm::uvec3>> near_y;
   for (const glm::uvec3& t : y.triangles)
     if (const Box box = box_of(y, t); box.meets(all_x)) near_y.push_back({box, t});
+  // Sorted upwards, so that only triangles of like height are looked at.
+  std::stable_sort(near_y.begin(), near_y.end(),
+                   [](const auto& a, const auto& b) { return a.first.low.y < b.first.low.y; });
+  double tallest = 0;
+  for (const auto& n : near_y) tallest = std::max(tallest, n.first.high.y - n.first.low.y);
   for (const glm::uvec3& t : x.triangles) {
     const Box box = box_of(x, t);
     if (!box.meets(all_y)) continue;
-    for (const auto& [other_box, o] : near_y) {
+    auto at = std::lower_bound(near_y.begin(), near_y.end(), box.low.y - tallest,
+                               [](const auto& n, double height) { return n.first.low.y < height; });
+    for (; at != near_y.end() && at->first.low.y <= box.high.y; ++at) {
+      const auto& [other_box, o] = *at;
       if (!box.meets(other_box)) continue;
       for (int k = 0; k < 3; ++k) {
         const int n = (k + 1) % 3;
@@ -184,7 +192,7 @@ TEST(DemoScene, TheRightArmAloneCanBringItThrough) {
   const int shoulder = model.skeleton.find("RightShoulder");
   const int joints[3] = {model.skeleton.find("RightUpperArm"), model.skeleton.find("RightLowerArm"),
                          model.skeleton.find("RightHand")};
-  for (double t = clip.begin; t <= clip.end; t += 1.0 / 60.0) {
+  for (double t = clip.begin; t <= clip.end; t += 1.0 / 40.0) {
     Pose pose = rest_pose(model.skeleton);
     sample_clip(clip, t, pose);
     std::vector<Mat4> g;
