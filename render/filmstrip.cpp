@@ -150,13 +150,15 @@ Result<Picture> draw_frame(SceneRenderer& renderer, const FilmstripRequest& requ
     ghost.parts = parts;
     frame.ghosts.push_back(ghost);
   }
-  const int factor = request.fine ? 2 : 1;
+  // A very large frame is fine enough as it is.
+  const bool fine = request.fine && layout.frame_width * layout.frame_height < 4'000'000;
+  const int factor = fine ? 2 : 1;
   frame.pixel_scale = layout.unit * factor;
   const auto drawn = renderer.draw(frame, shot.cameras[time], request.style,
                                    {factor * layout.frame_width, factor * layout.frame_height});
   if (!drawn) return drawn.error();
   Picture picture = renderer.read();
-  return request.fine ? halved(picture) : picture;
+  return fine ? halved(picture) : picture;
 }
 
 struct Fonts {

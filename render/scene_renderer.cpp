@@ -17,6 +17,7 @@ namespace elbowroom {
 namespace {
 
 constexpr int kLargestPicture = 8192;
+constexpr std::int64_t kMostPixels = 40'000'000;
 
 // Texture units and storage bindings of the shaders.
 enum Unit : GLuint {
@@ -402,6 +403,11 @@ Status SceneRenderer::draw(const Frame& frame, const Camera& camera, const Style
   const int width = std::clamp(size.width, 1, largest);
   const int height = std::clamp(size.height, 1, largest);
   d.drawn = false;
+  // Multisampled colour and depth take 32 bytes a pixel; more than this is a slip of the caller's.
+  if (std::int64_t{width} * height > kMostPixels) {
+    return Error{"the picture would have more than 40 million pixels", "rendering",
+                 "make the picture smaller"};
+  }
   auto sized = d.buffers.resize(width, height, style.samples,
                                 std::clamp(style.shadow_map_size, 16, largest));
   if (!sized) return sized;

@@ -40,7 +40,7 @@ class SceneRenderer {
   ~SceneRenderer();
 
   // Draws the frame into the renderer's own buffers. Sizes are clamped to [1, 8192] and the
-  // driver's limit. Error: out of memory for buffers of that size.
+  // driver's limit. Error: more than 40 million pixels, or buffers that the driver refuses.
   Status draw(const Frame& frame, const Camera& camera, const Style& style,
               const PictureSize& size);
   // The same, of the world at time t.

@@ -305,6 +305,20 @@ TEST_F(SceneRendererTest, MeshesThatAreNotFiniteAreLeftOutAndTheRestStays) {
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
+TEST_F(SceneRendererTest, SizesOutOfRangeAreClampedOrRefused) {
+  const World world = lopsided();
+  const Camera camera = three_quarter(world, 1);
+  const Picture dot = draw(world, 1, camera, {}, -5, 0);
+  EXPECT_EQ(dot.width, 1);
+  EXPECT_EQ(dot.height, 1);
+  const auto refused = renderer().draw(world, 1, camera, {}, {2000000000, 2000000000});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_FALSE(refused.error().remedy.empty());
+  EXPECT_TRUE(renderer().read().empty());
+  EXPECT_FALSE(renderer().pick(0, 0).hit());
+  EXPECT_FALSE(draw(world, 1, camera).empty());
+}
+
 TEST_F(SceneRendererTest, PresentsTheVeryBytesThatItReads) {
   const World world = lopsided();
   const Picture picture = draw(world, 1, three_quarter(world, 1), {}, 64, 48);
