@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The independent judge: shares no code with core/ (a test of the layers checks that), so that what it
+# The independent judge: shares no code with core/ (a test checks that), so that what it
 # finds does not repeat an error of what it judges.
 find_path(FCL_INCLUDE_DIR fcl/fcl.h REQUIRED)
 find_library(FCL_LIBRARY fcl REQUIRED)
@@ -17,3 +17,4 @@ target_compile_options(elbowroom_judge PRIVATE -frounding-math)
 target_include_directories(elbowroom_judge SYSTEM PRIVATE ${FCL_INCLUDE_DIR})
 
 elbowroom_tests(test_judge judge/test LABEL fast LINK elbowroom_judge)
+target_compile_definitions(test_judge PRIVATE ELBOWROOM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")

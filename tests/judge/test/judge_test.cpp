@@ -347,6 +347,23 @@ TEST_F(JudgeFiles, TellsWhatChangedBetweenTwoFiles) {
   EXPECT_TRUE(judge::compare_bytes(a, a).json_differences.empty());
 }
 
+// What it is worth hangs on this.
+TEST(JudgeItself, SharesNoCodeWithTheProduct) {
+  int files = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(ELBOWROOM_SOURCE_DIR "/tests/judge")) {
+    const std::string extension = entry.path().extension().string();
+    if (extension != ".h" && extension != ".cpp") continue;
+    ++files;
+    std::ifstream in(entry.path());
+    for (std::string line; std::getline(in, line);) {
+      if (line.compare(0, 10, "#include \"") != 0) continue;
+      EXPECT_EQ(line.compare(10, 12, "tests/judge/"), 0) << entry.path() << ": " << line;
+    }
+  }
+  EXPECT_GE(files, 8);
+}
+
 TEST(JudgeBytes, SeesEveryChangeOfAValue) {
   judge::File a, b;
   a.json = R"({"asset":{"version":"2.0","generator":"x"},"n":1.0,"e":[],"o":{"k":1},
