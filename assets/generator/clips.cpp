@@ -42,8 +42,8 @@ Poser::Arm swinging_arm(const Gait& gait, double phase) {
   Poser::Arm arm;
   arm.flexion = gait.shoulder(phase);
   arm.elbow = gait.elbow(phase);
-  arm.abduction = 9.0 * degrees;
-  arm.rotation = 12.0 * degrees;
+  arm.abduction = 11.5 * degrees;  // hands pass the thighs without touching
+  arm.rotation = 9.0 * degrees;
   arm.twist = 10.0 * degrees;
   return arm;
 }
@@ -55,11 +55,11 @@ void carry_umbrella(Poser& poser, const Quat& chest, double phase) {
   Poser::Arm arm;
   arm.flexion = (6.0 + 2.5 * std::cos(wave + 0.4)) * degrees;
   arm.abduction = (13.0 + 0.8 * std::sin(wave)) * degrees;
-  arm.rotation = -6.0 * degrees;
+  arm.rotation = -12.0 * degrees;
   arm.elbow = (88.0 - 2.0 * std::cos(2.0 * wave - 0.8)) * degrees;
   arm.twist = 0;
   poser.set_arm(-1.0, chest, arm);
-  const Quat upright = turn_y(8.0 * degrees) * turn_z((1.5 + 1.2 * std::sin(wave)) * degrees) *
+  const Quat upright = turn_z((1.5 + 1.2 * std::sin(wave)) * degrees) *
                        turn_x((-3.0 + 1.0 * std::cos(2.0 * wave)) * degrees);
   poser.set_world("RightHand", upright);
 }

@@ -240,8 +240,8 @@ GlbFile make_posts() {
   GlbFile file;
   file.generator_note = "elbowroom demo generator";
   file.materials = {{"Post", {0.19f, 0.225f, 0.27f}, 0.7f, 0.0f, false}};
-  // Round posts with a foot plate and a rounded head; the space between them is 1.20 m.
-  constexpr double kInner = 0.60, kRadius = 0.055, kHeight = 2.10;
+  // Round posts with a foot plate and a rounded head; the space between them is 1.14 m.
+  constexpr double kInner = 0.57, kRadius = 0.055, kHeight = 2.10;
   for (const double side : {1.0, -1.0}) {
     GlbPrimitive post;
     std::vector<Vec3> curve{{0, 0, 0}, {0, 0.020, 0}, {0, 0.026, 0}, {0, 0.026, 0}};
