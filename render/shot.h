@@ -44,7 +44,7 @@ struct Shot {
 };
 
 // `aspect` > 0 is kept; 0 lets the shot choose one between 0.62 and 1.7 that suits the motion.
-// Requires at least one world and one time. Cost: about 20 small pictures.
+// Requires at least one world and one time. Cost: up to 68 pictures of 128 × 128 pixels.
 Shot plan_shot(SceneRenderer& renderer, const ShotRequest& request, double aspect);
 
 }  // namespace elbowroom
