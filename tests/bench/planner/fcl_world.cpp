@@ -59,7 +59,8 @@ class FclWorldOf : public FclWorld {
       const auto& to_b = transforms_[static_cast<std::size_t>(pair.b)];
       // What a broad phase would do: spheres about the two models first.
       const Scalar reach = pair.model_a->aabb_radius + pair.model_b->aabb_radius;
-      const auto apart = to_a * pair.model_a->aabb_center - to_b * pair.model_b->aabb_center;
+      const fcl::Vector3<Scalar> apart =
+          to_a * pair.model_a->aabb_center - to_b * pair.model_b->aabb_center;
       if (apart.squaredNorm() > reach * reach) continue;
       result_.clear();
       if (fcl::collide(pair.model_a, to_a, pair.model_b, to_b, request_, result_) > 0) return false;

@@ -160,7 +160,8 @@ Result<Problem> make(const std::string& name, const std::string& about, bool pos
     length += glm::length(place(j) - place(j - 1));
   }
   p.length_unit = length;
-  for (const auto& part : p.planning_space(0)->parts()) {
+  const auto space = p.planning_space(0);
+  for (const auto& part : space->parts()) {
     (part.limb ? p.triangles_limb : p.triangles_rest) += part.mesh->triangles().size();
   }
   return p;
