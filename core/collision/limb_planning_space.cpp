@@ -2,6 +2,7 @@
 #include "core/collision/limb_planning_space.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -85,7 +86,8 @@ struct LimbPlanningSpace::Data {
     // number in `still`, or -1; and with other moving parts.
     std::vector<std::vector<int>> pair_with;
     std::vector<int> still;
-    std::vector<int> inner_pairs;  // between two parts of the limb's side
+    std::vector<int> inner_pairs;   // between two parts of the limb's side
+    std::vector<int> sorted_pairs;  // all of them, ascending
   };
   std::vector<Segment> segments;
   std::vector<Pair> pairs;
@@ -97,6 +99,9 @@ struct LimbPlanningSpace::Data {
     long hits = 0;
   };
   std::vector<PairState> pair_states;
+  // The pairs that hit last, latest first: neighbours of a colliding configuration collide alike.
+  // Only the time to an answer depends on them.
+  std::array<int, 4> recent{-1, -1, -1, -1};
   struct OwnPatches {
     std::vector<bool> near, cross;
     bool near_only = false;
@@ -140,6 +145,11 @@ struct LimbPlanningSpace::Data {
   RigidTransform world_part(const FrameTracks::Cell& cell, int part);
   const RigidTransform& place(const FrameTracks::Cell& cell, const Segment& segment, int part);
   void find_reachable(const FrameTracks::Cell& cell);
+  // A pair is tested while its first part is on the limb's side, and its second as it was paired.
+  bool in_segment(int pair, const Segment& segment) const {
+    return segments.size() == 1 ||
+           std::binary_search(segment.sorted_pairs.begin(), segment.sorted_pairs.end(), pair);
+  }
   bool touches(int pair, const FrameTracks::Cell& cell, const Segment& segment);
 };
 
@@ -356,6 +366,11 @@ void LimbPlanningSpace::Data::build_pairs() {
           segment.inner_pairs.push_back(pair);
       }
     }
+    segment.sorted_pairs = segment.inner_pairs;
+    for (const auto& with : segment.pair_with)
+      for (const int pair : with)
+        if (pair >= 0) segment.sorted_pairs.push_back(pair);
+    std::sort(segment.sorted_pairs.begin(), segment.sorted_pairs.end());
   }
   // Patches that may touch, for two bodies of the character or a carried thing and its holder.
   for (std::size_t k = 0; k < pairs.size(); ++k) {
@@ -580,7 +595,13 @@ bool LimbPlanningSpace::Data::touches(int number, const FrameTracks::Cell& cell,
     cross.allowed = state.cross;
     hit = in_contact(*a.mesh, *b.mesh, a_from_b, 0.0, cross, &state.cross_cache);
   }
-  if (hit) ++state.hits;
+  if (hit) {
+    ++state.hits;
+    auto at = std::find(recent.begin(), recent.end(), number);
+    if (at == recent.end()) --at;
+    std::rotate(recent.begin(), at, at + 1);
+    recent.front() = number;
+  }
   return hit;
 }
 
@@ -645,6 +666,8 @@ bool LimbPlanningSpace::valid(const Configuration& c) {
   if (!d.reach_known[cell.row]) d.find_reachable(cell);
   const auto& segment = d.segments[static_cast<std::size_t>(cell.segment)];
   d.place_chain(cell, c, false);
+  for (const int pair : d.recent)
+    if (pair >= 0 && d.in_segment(pair, segment) && d.touches(pair, cell, segment)) return false;
   const auto& reachable = d.reachable[cell.row];
   for (const auto& with : segment.pair_with)
     for (const std::uint32_t s : reachable)

@@ -7,6 +7,7 @@
 
 #include "core/base/random.h"
 #include "core/collision/limb_planning_space.h"
+#include "core/collision/skin_deviation.h"
 #include "tests/unit/scene_collision/figure.h"
 
 namespace elbowroom::test {
@@ -183,6 +184,21 @@ TEST(LimbPlanningSpace, FarAwayAndScaledTheSame) {
     const Configuration c = random_configuration(random, 0.1, 0.9);
     EXPECT_EQ(a.valid(c), b.valid(c)) << i;
   }
+}
+
+TEST(SkinDeviation, IsSmallAwayFromJointsAndLeavesTheSceneAsItWas) {
+  SceneCollision scene = scene_of(post_world());
+  std::vector<ContactSample> before, after;
+  scene.contacts_at(0.4, 0, true, before);
+  const SkinDeviation deviation = measure_skin_deviation(scene, 0, 0.4, 40, 3);
+  scene.contacts_at(0.4, 0, true, after);
+  EXPECT_EQ(before.size(), after.size());
+  EXPECT_GT(deviation.measured, 1000u);
+  EXPECT_LE(deviation.median, deviation.percentile_95);
+  EXPECT_LE(deviation.percentile_95, deviation.largest);
+  EXPECT_LT(deviation.percentile_95, 0.005);
+  EXPECT_EQ(measure_skin_deviation(scene, 0, 0.4, 40, 3).largest, deviation.largest);
+  EXPECT_EQ(measure_skin_deviation(scene, 4, 0.4, 40, 3).measured, 0u);
 }
 
 TEST(LimbPlanningSpace, HostileConfigurations) {
