@@ -3,9 +3,11 @@
 // FCL.
 //
 // One thread, one run, one seed a row's sample. Both sides get the same parts, pairs, placements,
-// limits, speed limits and edge resolution. "Truly free" is FCL's verdict (OBBRSS, double) on the
-// rigid parts every millisecond.
+// limits, speed limits and, in the row "like for like", edge resolution and (no) clearance; the row
+// "as shipped" keeps the clearance and tests found paths more finely. "Truly free" is FCL's verdict
+// (OBBRSS, double) on the rigid parts every millisecond.
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -13,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/random.h"
 #include "core/planning/curve_fit.h"
 #include "core/planning/planner.h"
 #include "core/planning/smoothing.h"
@@ -74,8 +77,66 @@ double velocity_jump(const Problem& p, const std::vector<Configuration>& path) {
   return most;
 }
 
-Row run_ours(const Problem& p, const std::string& name, double clearance, FclWorld& judge,
-             const Options& options) {
+// What one check costs on configurations about the clip: a random one of the window's times, the
+// parameters off the clip's by up to `spread` rad each, inside the limits.
+std::vector<Configuration> configurations_about_clip(const Problem& p, int count, double spread) {
+  Random random(1);
+  std::vector<Configuration> all;
+  while (static_cast<int>(all.size()) < count) {
+    Configuration c;
+    c.t = random.uniform(p.begin, p.end);
+    c.q = p.track->at(c.t).q;
+    for (int d = 0; d < c.q.count; ++d) c.q[d] += random.uniform(-spread, spread);
+    if (p.space.within_limits(c.q)) all.push_back(c);
+  }
+  return all;
+}
+
+struct CheckCost {
+  int free = 0, colliding = 0;
+  double us_free = 0, us_colliding = 0;  // mean
+};
+
+CheckCost check_cost(const std::vector<Configuration>& all,
+                     const std::function<bool(const Configuration&)>& free) {
+  CheckCost cost;
+  for (const Configuration& c : all) free(c);  // warms caches of all kinds
+  for (const Configuration& c : all) {
+    const auto start = std::chrono::steady_clock::now();
+    const bool is_free = free(c);
+    const double us =
+        std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+    ++(is_free ? cost.free : cost.colliding);
+    (is_free ? cost.us_free : cost.us_colliding) += us;
+  }
+  cost.us_free /= std::max(1, cost.free);
+  cost.us_colliding /= std::max(1, cost.colliding);
+  return cost;
+}
+
+void print_check_costs(const Problem& p) {
+  const auto all = configurations_about_clip(p, 3000, 0.6);
+  const auto line = [&](const char* name, const std::function<bool(const Configuration&)>& free) {
+    const CheckCost cost = check_cost(all, free);
+    std::printf("  a check by %-22s %6.1f us free (%d), %6.1f us colliding (%d)\n", name,
+                cost.us_free, cost.free, cost.us_colliding, cost.colliding);
+  };
+  const auto space = p.planning_space(0);
+  line("ours", [&](const Configuration& c) { return space->valid(c); });
+  const auto boxes = make_fcl_world(*space, BoxKind::obbrss_double);
+  line("FCL OBBRSS double", [&](const Configuration& c) { return boxes->free(c); });
+  const auto floats = make_fcl_world(*space, BoxKind::obb_float);
+  line("FCL OBB float", [&](const Configuration& c) { return floats->free(c); });
+  std::vector<RigidTransform> placements;
+  line("placing the parts alone", [&](const Configuration& c) {
+    space->placements(c, placements);
+    return true;
+  });
+}
+
+// `alike`: everything at the resolution of the peer's edges; otherwise as our settings have it.
+Row run_ours(const Problem& p, const std::string& name, double clearance, bool alike,
+             FclWorld& judge, const Options& options) {
   Row row;
   row.name = name;
   const auto world = p.planning_space(clearance);
@@ -83,12 +144,17 @@ Row run_ours(const Problem& p, const std::string& name, double clearance, FclWor
     ++row.runs;
     PlannerSettings settings;
     settings.seed = static_cast<std::uint64_t>(seed);
+    if (alike) {
+      settings.speed_share = 1;
+      settings.path_resolution = settings.resolution;
+    }
     const PlannerResult found =
         plan(*world, {&p.space, p.init(), p.goal(), p.length_unit}, settings);
     if (found.status != PlannerStatus::solved) continue;
     ++row.solved;
     SmoothingSettings smoothing;
     smoothing.seed = settings.seed;
+    if (alike) smoothing.resolution = settings.resolution;
     const SmoothingResult smooth = smooth_path(*world, found.path, smoothing);
     CurveQuery query;
     query.space = &p.space;
@@ -170,7 +236,7 @@ void print(const std::vector<Row>& rows) {
   for (const Row& r : rows) {
     if (!r.checks_curve.empty()) continue;
     std::printf(
-        "  %s takes %.2f times as long as ours (clearance 0) to the first path, %.2f times "
+        "  %s takes %.2f times as long as ours (like for like) to the first path, %.2f times "
         "to the smoothed one (p95: %.2f, %.2f)\n",
         r.name.c_str(), quantile(r.ms_first, 0.5) / quantile(ours.ms_first, 0.5),
         quantile(r.ms_smooth, 0.5) / quantile(ours.ms_smooth, 0.5),
@@ -208,8 +274,9 @@ int run(const Options& options) {
                 ours_says);
     const double clearance = p.scene->settings().clearance * p.scene->height();
     std::vector<Row> rows;
-    rows.push_back(run_ours(p, "ours, clearance 0", 0, *judge, options));
-    rows.push_back(run_ours(p, "ours, as shipped", clearance, *judge, options));
+    print_check_costs(p);
+    rows.push_back(run_ours(p, "ours, like for like", 0, true, *judge, options));
+    rows.push_back(run_ours(p, "ours, as shipped", clearance, false, *judge, options));
     rows.push_back(
         run_theirs(p, "OMPL + FCL OBBRSS double", BoxKind::obbrss_double, *judge, options));
     rows.push_back(run_theirs(p, "OMPL + FCL OBB float", BoxKind::obb_float, *judge, options));
