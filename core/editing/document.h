@@ -27,7 +27,7 @@ struct PlanningWishes {
   std::uint64_t seed = 1;
   int alternatives = 1;                      // ways planned; the best is taken
   double clearance = 0;                      // scene units
-  int max_iterations = 20000;                // of Algorithm 1, for each attempt
+  int max_iterations = 4000;                 // of Algorithm 1, for each attempt
   double max_seconds = 0;                    // 0: iterations alone bound it (same bytes again)
   std::map<std::string, Interval> sampling;  // by DOF name, radians; others: the limb's default
 };

@@ -39,6 +39,7 @@ std::vector<JointKeys> make_limb_keys(const Skeleton& skeleton, const LimbModel&
   std::vector<JointKeys> result;
   for (std::size_t j = 0; j < limb.joints.size(); ++j) {
     const JointModel& joint = limb.joints[j];
+    if (joint.kind == JointModelKind::fixed) continue;  // no DOFs: it follows the clip
     JointKeys keys;
     keys.node = joint.joint;
     keys.joint = skeleton.joints[static_cast<std::size_t>(joint.joint)].name;

@@ -8,7 +8,7 @@
 //                 "attachments": [{"file": "umbrella.glb", "joint": "RightHand",
 //                                  "translation": [x, y, z], "rotation": [x, y, z, w]}]},
 //       "tasks": [{"kind": "correct", "name": "...", "limb": "right_arm", "window": [1.2, 2.05],
-//                  "seed": 7, "alternatives": 1, "clearance": 0, "max_iterations": 20000,
+//                  "seed": 7, "alternatives": 1, "clearance": 0, "max_iterations": 4000,
 //                  "max_seconds": 0, "sampling": {"Elbow, flexion": [1.2, 2.4]}}],
 //       "corrections": [{"name": "...", "limb": "right_arm", "window": [1.2, 2.05], "muted": false,
 //                        "made_with": {"seed": 7, ...},

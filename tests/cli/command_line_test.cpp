@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "assets/demo.h"
 #include "tests/support/cli_scene.h"
 #include "tests/support/simple_glb.h"
 
@@ -107,8 +108,7 @@ TEST(Check, FreeIsZeroAndContactsAreFour) {
   EXPECT_EQ(read_json(folder / "free.json")["status"], "free");
   const auto hit = run({"check", "--character", kMannequin, "--clip", "Walk between posts",
                         "--obstacles", kDemo / "posts.glb", "--attach",
-                        (kDemo / "umbrella.glb").string() + "@RightHand,0.029,0,0.083", "--report",
-                        folder / "hit.json"});
+                        (kDemo / demo::kAttachArgument).string(), "--report", folder / "hit.json"});
   EXPECT_EQ(hit.exit_code, 4) << hit.out << hit.err;
   const auto report = read_json(folder / "hit.json");
   EXPECT_EQ(report["status"], "contacts");
@@ -148,11 +148,11 @@ TEST(Correct, NoMotionIsThreeAndWritesOnlyTheReport) {
 
 TEST(Correct, InterruptedIs130AndLeavesNoHalfFile) {
   const Folder folder;
-  const auto result = run({"correct", "--character", kMannequin, "--clip", "Walk between posts",
-                           "--obstacles", kDemo / "posts.glb", "--attach",
-                           (kDemo / "umbrella.glb").string() + "@RightHand,0.029,0,0.083",
-                           "--alternatives", "64", "-o", folder / "out.glb"},
-                          3000);
+  const auto result =
+      run({"correct", "--character", kMannequin, "--clip", "Walk between posts", "--obstacles",
+           kDemo / "posts.glb", "--attach", (kDemo / demo::kAttachArgument).string(),
+           "--alternatives", "64", "-o", folder / "out.glb"},
+          3000);
   EXPECT_EQ(result.exit_code, 130) << result.out << result.err;
   EXPECT_TRUE(listing(folder.path()).empty());
 }

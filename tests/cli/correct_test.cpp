@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The main job, end to end: clips that collide come out of the program free, whole and in time.
+#include "assets/demo.h"
 #include "tests/support/cli_scene.h"
 
 namespace elbowroom::test {
@@ -15,9 +16,12 @@ TEST(Correct, TheDemo) {
   call.character = kDemo / "mannequin.glb";
   const auto model = read_gltf(call.character);
   ASSERT_TRUE(model.ok());
-  call.clip = (*model)->find_clip("Walk between posts");
+  call.clip = (*model)->find_clip(demo::kDemoClip);
   call.obstacles = {kDemo / "posts.glb"};
-  call.attachments = {{kDemo / "umbrella.glb", "RightHand", {0.029, 0, 0.083}, {1, 0, 0, 0}}};
+  call.attachments = {{kDemo / demo::kUmbrellaFile,
+                       demo::kAttachJoint,
+                       {demo::kGripX, demo::kGripY, demo::kGripZ},
+                       {1, 0, 0, 0}}};
   correct_and_judge(call, folder);
 }
 

@@ -17,6 +17,14 @@ struct Frame {
   Vec3 centre{0.0};              // of the rest
 };
 
+// Every k-th vertex: enough to place a post by.
+void thin(std::vector<Vec3>& vertices, std::size_t at_most) {
+  const std::size_t stride = vertices.size() / at_most + 1;
+  std::size_t kept = 0;
+  for (std::size_t v = 0; v < vertices.size(); v += stride) vertices[kept++] = vertices[v];
+  vertices.resize(kept);
+}
+
 std::vector<Frame> frames_of(const Model& model, const Character& character, const Limb& limb,
                              const Clip& clip) {
   std::vector<Frame> frames;
@@ -43,6 +51,8 @@ std::vector<Frame> frames_of(const Model& model, const Character& character, con
         (share > 0.5 ? frame.limb : frame.rest).push_back(vertices[v]);
       }
     }
+    thin(frame.limb, 300);
+    thin(frame.rest, 500);
     for (const Vec3& v : frame.rest) frame.centre += v / static_cast<double>(frame.rest.size());
     frame.end = Vec3(globals[static_cast<std::size_t>(limb.end)][3]);
     frames.push_back(std::move(frame));
@@ -58,6 +68,19 @@ std::optional<PostProblem> try_clip(const Model& model, const Character& charact
                                     const Limb& limb, int clip_index, unsigned variant) {
   const Clip& clip = model.clips[static_cast<std::size_t>(clip_index)];
   if (clip.duration() < 0.5) return std::nullopt;
+  // A limb that hardly moves passes nothing.
+  double moved = 0;
+  Vec3 first_place(0.0);
+  std::vector<Mat4> globals;
+  for (int i = 0; i <= 12; ++i) {
+    Pose pose = rest_pose(model.skeleton);
+    sample_clip(clip, clip.begin + clip.duration() * i / 12, pose);
+    compute_globals(model.skeleton, pose, Mat4(1.0), globals);
+    const Vec3 place(globals[static_cast<std::size_t>(limb.end)][3]);
+    if (i == 0) first_place = place;
+    moved = std::max(moved, glm::length(place - first_place));
+  }
+  if (moved < 0.1 * character.height) return std::nullopt;
   const auto frames = frames_of(model, character, limb, clip);
   if (frames.front().limb.empty() || frames.front().rest.empty()) return std::nullopt;
   const double h = character.height;
