@@ -217,7 +217,7 @@ Status CollisionBody::bake(const ActorState& state) {
     local_low_ = glm::min(local_low_, Vec3(scratch_[v]));
     local_high_ = glm::max(local_high_, Vec3(scratch_[v]));
   }
-  if (mesh_) mesh_->refit(scratch_);
+  stale_ = mesh_ != nullptr;
   return Done{};
 }
 
@@ -295,7 +295,7 @@ void CollisionBody::skin(const ActorState& state, const Vec3& origin) {
     high = glm::max(high, Vec3(place));
   }
   box_ = {low, high};
-  if (mesh_) mesh_->refit(scratch_);
+  stale_ = mesh_ != nullptr;
 }
 
 void CollisionBody::place(const ActorState& state, const Vec3& origin) {

@@ -55,7 +55,14 @@ class CollisionBody {
   int frame_node() const { return frame_node_; }
   bool deforms() const { return deforms_; }
   const Model& model() const { return *model_; }
-  const CollisionMesh& mesh() const { return *mesh_; }
+  // Refit on the first look after a change: most bodies are known to be apart by their boxes.
+  const CollisionMesh& mesh() const {
+    if (stale_) {
+      mesh_->refit(scratch_);
+      stale_ = false;
+    }
+    return *mesh_;
+  }
   // Takes mesh() to the query space (world minus origin); the identity for a deforming body.
   const RigidTransform& query_from_body() const { return query_from_body_; }
   // Of a rigid body: where the mesh's own origin is in the frame node's rigid frame.
@@ -114,6 +121,7 @@ class CollisionBody {
   std::vector<Morph> morphs_;
 
   std::unique_ptr<CollisionMesh> mesh_;
+  mutable bool stale_ = false;  // mesh_ does not have the places of scratch_ yet
   RigidTransform query_from_body_;
   Box box_;
   std::vector<glm::vec3> scratch_;

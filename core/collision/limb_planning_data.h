@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// What a LimbPlanningSpace holds. Private to the collision folder.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "core/collision/frame_tracks.h"
+#include "core/collision/limb_planning_space.h"
+#include "core/collision/planning_parts.h"
+
+namespace elbowroom {
+
+// In place of a node of the chain: what no limb node moves.
+inline constexpr int kWorld = -1;
+
+// Parts that move with the limb are placed by one of its nodes.
+struct Chain {
+  struct Node {
+    int node = -1;
+    int parent = -1;     // in the chain, -1 for the limb's root
+    int dof_joint = -1;  // index in LimbModel::joints, -1: as in the clip
+    bool scaled = false;
+  };
+  std::vector<Node> nodes;
+  std::vector<int> number;  // by node of the skeleton, -1
+};
+
+struct Link {
+  Mat3 linear{1.0};
+  Vec3 place{0.0};
+  RigidTransform frame;
+};
+
+struct LimbPlanningSpace::Data {
+  const SceneCollision::Data& scene;
+  World world;
+  int limb_index;
+  const LimbModel& limb;
+  double t_init, t_goal;
+  LimbState at_init, at_goal;
+  bool residual_moves = false;
+  Settings settings;
+
+  Chain chain;
+  std::unique_ptr<FrameTracks> tracks;
+  std::vector<PlanningPart> pieces;
+  std::vector<Part> parts;
+  std::vector<std::size_t> track_of;  // by part: its node in the tracks
+
+  // Between two steps of the world: who carries what.
+  struct Segment {
+    std::vector<int> chain_of;  // by part: the chain node that moves it, or kWorld
+    std::vector<RigidTransform> chain_from_part;  // where chain_of is a node
+    std::vector<int> moving;  // parts of the limb's side, the farthest from the root first
+    // Pair numbers by moving part, in the order they are tried: with parts of the world, by their
+    // number in `still`, or -1; and with other moving parts.
+    std::vector<std::vector<int>> pair_with;
+    std::vector<int> still;
+    std::vector<int> inner_pairs;   // between two parts of the limb's side
+    std::vector<int> sorted_pairs;  // all of them, ascending
+  };
+  std::vector<Segment> segments;
+  std::vector<Pair> pairs;
+  struct PairState {
+    const std::vector<bool>* cross = nullptr;  // patches that may cross, null: none
+    bool near_only = false;                    // some are allowed to be near but not to cross
+    double distance = 0;
+    PairCache cache, cross_cache;
+    long hits = 0;
+  };
+  std::vector<PairState> pair_states;
+  // The pairs that hit last, latest first: neighbours of a colliding configuration collide alike.
+  // Only the time to an answer depends on them.
+  std::array<int, 4> recent{-1, -1, -1, -1};
+  struct OwnPatches {
+    std::vector<bool> near, cross;
+    bool near_only = false;
+  };
+  std::map<std::pair<int, int>, OwnPatches> own_patches;  // by bodies, as the pair has them
+
+  // What a moving part can meet while the world goes from one row of the tracks to the next.
+  std::vector<std::vector<std::uint32_t>> reachable;  // by row: places in Segment::still
+  std::vector<std::uint8_t> reach_known;
+
+  struct MetricPoint {
+    int part = -1;  // -1: the chain node's own
+    int chain_node = -1;
+    Vec3 local{0.0};
+  };
+  std::vector<MetricPoint> metric;
+
+  std::vector<Link> links;             // scratch, by chain node
+  std::vector<RigidTransform> placed;  // scratch, by part
+  std::vector<std::uint8_t> is_placed;
+
+  Data(const SceneCollision& of, int index, double begin, double end, const LimbState& init,
+       const LimbState& goal, const Settings& given)
+      : scene(of.data()),
+        world(of.world()),
+        limb_index(index),
+        limb(of.limbs()[static_cast<std::size_t>(index)]),
+        t_init(begin),
+        t_goal(end),
+        at_init(init),
+        at_goal(goal),
+        settings(given) {}
+
+  void build_chain();
+  void build_segments();
+  void build_pairs();
+  void gather_clip_contacts();
+  void build_metric();
+  LimbState state_at(const Configuration& c) const;
+  void place_chain(const FrameTracks::Cell& cell, const Configuration& c, bool clip_pose);
+  RigidTransform world_part(const FrameTracks::Cell& cell, int part);
+  const RigidTransform& place(const FrameTracks::Cell& cell, const Segment& segment, int part);
+  void find_reachable(const FrameTracks::Cell& cell);
+  // A pair is tested while its first part is on the limb's side, and its second as it was paired.
+  bool in_segment(int pair, const Segment& segment) const {
+    return segments.size() == 1 ||
+           std::binary_search(segment.sorted_pairs.begin(), segment.sorted_pairs.end(), pair);
+  }
+  bool touches(int pair, const FrameTracks::Cell& cell, const Segment& segment);
+};
+
+}  // namespace elbowroom
