@@ -22,6 +22,8 @@ constexpr int kMostRefinements = 12;
 constexpr double kMostSpans = 50000;
 constexpr std::size_t kMostSuspects = 6;
 constexpr int kMostAttempts = 8;  // in one trial
+constexpr std::int64_t kConfirmEvery = 8;
+constexpr int kMostTakenBack = 3;
 
 enum class Followed { yes, no, stopped };
 
@@ -36,6 +38,7 @@ class Fit {
         progress_(progress),
         result_(result),
         limits_(*query.space),
+        trial_resolution_(settings.trial_resolution),
         start_(Clock::now()) {
     const double window = query.path.back().t - query.path.front().t;
     const int spans = std::max(4, static_cast<int>(std::lround(window / settings.knot_spacing)));
@@ -61,14 +64,14 @@ class Fit {
     }
   }
 
-  // Lowers the energy by valid steps; false on a stop.
+  // Lowers the energy by valid steps; false on a stop. What is left stands confirmed.
   bool fair() {
     Random random(settings_.seed);
     std::int64_t failures = 0;
     Clock::time_point told = Clock::now();
+    keep();
     while (result_.trials < settings_.max_trials && failures < settings_.max_consecutive_failures) {
-      if (stop_.stop_requested()) return false;
-      if (seconds() >= settings_.max_seconds) break;
+      if (stop_.stop_requested() || seconds() >= settings_.max_seconds) break;
       if (progress_ && Clock::now() - told > std::chrono::milliseconds(20)) {
         told = Clock::now();
         progress_({"fairing", static_cast<double>(result_.trials) /
@@ -78,8 +81,10 @@ class Fit {
       if (try_step(random, result_.trials++)) {
         ++result_.accepted;
         failures = 0;
+        if (result_.accepted - kept_.accepted == kConfirmEvery) confirm();
       }
     }
+    confirm();
     result_.energy = energy(energy_matrix_, offsets_);
     return !stop_.stop_requested();
   }
@@ -236,7 +241,8 @@ class Fit {
       std::vector<Dofs> d = on_path;
       if (!minimize(energy_matrix_, free, d)) d = on_path;
       set_offsets(d, begin, end - 1);
-      const Fault fault = find_fault(begin, end - 1);
+      Fault fault = find_fault(begin, end - 1, trial_resolution_);
+      if (fault.none()) fault = find_fault(begin, end - 1, settings_.resolution);
       if (fault.none()) {
         offsets_ = std::move(d);
         return true;
@@ -258,6 +264,36 @@ class Fit {
     }
   }
 
+  // A curve tested at the resolution that is promised.
+  struct Kept {
+    std::vector<Dofs> control, offsets;
+    double energy = 0;
+    std::int64_t accepted = 0;
+  };
+  void keep() { kept_ = {curve_.control, offsets_, result_.energy, result_.accepted}; }
+
+  // Tests what has changed since the last curve kept; keeps it, or goes back to that one.
+  void confirm() {
+    if (result_.accepted == kept_.accepted) return;
+    int first = 0, last = count() - 1;
+    const auto same = [this](int i) {
+      const auto k = static_cast<std::size_t>(i);
+      return curve_.control[k].value == kept_.control[k].value;
+    };
+    while (first < last && same(first)) ++first;
+    while (last > first && same(last)) --last;
+    if (!stop_.stop_requested() && find_fault(first, last, settings_.resolution).none()) {
+      keep();
+      return;
+    }
+    curve_.control = kept_.control;
+    offsets_ = kept_.offsets;
+    result_.energy = kept_.energy;
+    result_.accepted = kept_.accepted;
+    // Where coarse tests keep missing something, steps are tested finely.
+    if (++taken_back_ == kMostTakenBack) trial_resolution_ = settings_.resolution;
+  }
+
   // What is wrong with the curve: control points first ... last act on the place at fault, in spans
   // first_span ... last_span.
   struct Fault {
@@ -269,7 +305,7 @@ class Fit {
   };
 
   // The first thing wrong with control points first ... last and the curve they act on.
-  Fault find_fault(int first, int last) {
+  Fault find_fault(int first, int last, const EdgeResolution& resolution) {
     for (int i = first; i <= last; ++i) {
       if (!keeps_limits(i)) return {i, i, i, i + 3, greville_abscissa(curve_.knots, i), false};
     }
@@ -279,7 +315,7 @@ class Fit {
     }
     double collision = 0;
     if (curve_span_free(world_, curve_, std::max(3, first), std::min(count() - 1, last + 3),
-                        settings_.resolution, suspects_, stop_, result_.checks, collision)) {
+                        resolution, suspects_, stop_, result_.checks, collision)) {
       return {};
     }
     if (std::isnan(collision)) return {first, last, 3, 3, 0, false};
@@ -406,7 +442,7 @@ class Fit {
       if (!(e < result_.energy * (1 - settings_.worthwhile)) || !(e < result_.energy - 1e-14))
         break;
       set_offsets(d, first, last);
-      const Fault fault = find_fault(first, last);
+      const Fault fault = find_fault(first, last, trial_resolution_);
       if (fault.none()) {
         offsets_ = std::move(d);
         result_.energy = e;
@@ -430,12 +466,15 @@ class Fit {
   const ProgressSink& progress_;
   CurveResult& result_;
   DofSpace limits_;  // the query's, wide enough for what is fixed at the ends
+  EdgeResolution trial_resolution_;
   Clock::time_point start_;
   std::vector<double> breakpoints_;
   Curve curve_;
   BandMatrix energy_matrix_;
-  std::vector<Dofs> reference_;   // the clip's control points, smoothed; 0 without a clip
-  std::vector<Dofs> offsets_;     // control points less those of the reference
+  std::vector<Dofs> reference_;  // the clip's control points, smoothed; 0 without a clip
+  std::vector<Dofs> offsets_;    // control points less those of the reference
+  Kept kept_;
+  int taken_back_ = 0;
   std::vector<double> suspects_;  // times of recent collisions, latest first
 };
 
@@ -456,7 +495,9 @@ std::string query_fault(const CurveQuery& query, const CurveSettings& settings) 
   const auto positive = [](double x) { return std::isfinite(x) && x > 0; };
   if (!positive(settings.knot_spacing) || !positive(settings.smallest_knot_spacing) ||
       !positive(settings.resolution.radians) || !positive(settings.resolution.seconds) ||
-      !positive(settings.acceleration_time) || !positive(settings.jerk_time)) {
+      !positive(settings.trial_resolution.radians) ||
+      !positive(settings.trial_resolution.seconds) || !positive(settings.acceleration_time) ||
+      !positive(settings.jerk_time)) {
     return "a setting of the curve is not positive";
   }
   if (std::isnan(settings.max_seconds)) return "the time budget is not a number";

@@ -16,8 +16,8 @@
 // clip's own movement on the way, and comes back to it. Without a clip r is 0 and the first term
 // is left out.
 //
-// Every curve accepted on the way is valid at the resolution of the settings. Same bytes for the
-// same input, seed and number of trials.
+// Steps are tested coarsely and confirmed, a few at a time, at the resolution of the settings;
+// those that are not are taken back. Same bytes for the same input, seed and number of trials.
 #pragma once
 
 #include <cstdint>
@@ -37,12 +37,13 @@ namespace elbowroom {
 struct CurveSettings {
   double knot_spacing = 0.05;            // seconds, at first; at least 4 spans in any window
   double smallest_knot_spacing = 0.004;  // where following the path closely asks for it
-  EdgeResolution resolution{0.02, 1.0 / 240.0};  // of the checks; finer than the search's
+  EdgeResolution resolution{0.02, 1.0 / 240.0};       // of the curve that comes out
+  EdgeResolution trial_resolution{0.04, 1.0 / 90.0};  // of single steps; every few are confirmed
   double acceleration_time = 0.20;  // T_a, seconds: over about this long a detour fades
   double jerk_time = 0.12;          // T_j, seconds
   double worthwhile = 0.01;         // share of E that a step must save to be tested
-  std::int64_t max_trials = 400;
-  std::int64_t max_consecutive_failures = 80;
+  std::int64_t max_trials = 300;
+  std::int64_t max_consecutive_failures = 60;
   std::uint64_t seed = 1;
   double max_seconds = std::numeric_limits<double>::infinity();
 };

@@ -33,7 +33,9 @@ class Search {
         result_(result),
         init_(Tree::Direction::forward, weights_),
         goal_(Tree::Direction::backward, weights_),
-        random_(settings.seed) {
+        random_(settings.seed),
+        finer_paths_(settings.path_resolution.radians < settings.resolution.radians ||
+                     settings.path_resolution.seconds < settings.resolution.seconds) {
     world_.metric_points(query.init, points_);
     init_.add(query.init, points_, -1);
     world_.metric_points(query.goal, points_);
@@ -82,8 +84,10 @@ class Search {
     if (!interpolation_free(world_, settings_.resolution, a, b, stop_, result_.stats.checks)) {
       return false;
     }
-    if (!verify(init_, verified_init_, from) || !verify(goal_, verified_goal_, to)) return false;
-    if (!interpolation_free(world_, settings_.path_resolution, a, b, stop_, result_.stats.checks)) {
+    if (finer_paths_ &&
+        (!verify(init_, verified_init_, from) || !verify(goal_, verified_goal_, to) ||
+         !interpolation_free(world_, settings_.path_resolution, a, b, stop_,
+                             result_.stats.checks))) {
       return false;
     }
     make_path(from, to);
@@ -183,6 +187,7 @@ class Search {
   Tree init_, goal_;
   Random random_;
   bool swapped_ = false;
+  bool finer_paths_ = true;                          // than the trees' edges
   std::vector<bool> verified_init_, verified_goal_;  // the edge to the parent holds for a path
   std::vector<Vec3> points_, node_points_;
   std::unordered_set<std::uint64_t> failed_;  // pairs of nodes whose connection was tested

@@ -38,7 +38,7 @@ struct PlannerSettings {
   // dist = w_t |Δt| + w_a max |Δp|, with w_t in length units a second.
   double time_weight = 0.5;
   double posture_weight = 1.0;
-  double step = 0.4;                                  // ε, in length units
+  double step = 0.5;                                  // ε, in length units
   EdgeResolution resolution{0.04, 1.0 / 90.0};        // of edges while the trees grow
   EdgeResolution path_resolution{0.02, 1.0 / 240.0};  // of the edges of a path found
   SamplingSettings sampling;

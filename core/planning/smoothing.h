@@ -19,8 +19,8 @@ namespace elbowroom {
 
 struct SmoothingSettings {
   EdgeResolution resolution{0.02, 1.0 / 240.0};
-  std::int64_t max_attempts = 100;
-  std::int64_t max_consecutive_failures = 25;  // "until valid replacements are difficult to find"
+  std::int64_t max_attempts = 60;
+  std::int64_t max_consecutive_failures = 20;  // "until valid replacements are difficult to find"
   // Least share of the sub-path's length that a replacement must save to be worth its test.
   double worthwhile = 1e-3;
   std::uint64_t seed = 1;
