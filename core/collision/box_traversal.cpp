@@ -27,6 +27,11 @@ struct Frame {
   float t[3];                  // the other's origin
 };
 
+// A direction in this tree's frame and in the other's.
+struct Axis {
+  float here[3], abs_here[3], abs_there[3];
+};
+
 struct Entry {
   BoxTree::Ref open;     // node of tree `side` whose children are tested
   BoxTree::Ref against;  // node or triangle of the other tree
@@ -109,7 +114,7 @@ using Vector = hn::Vec<Lanes>;
 // the lower, the deeper the two boxes lie in one another.
 template <bool kBound>
 HWY_INLINE std::uint32_t overlaps(const BoxTree::Node& node, const Frame& f, const Box& box,
-                                  float margin, float slack, float* bounds) {
+                                  float margin, float slack, const Axis* axis, float* bounds) {
   const Lanes d;
   float c[3], reach[3];
   for (int i = 0; i < 3; ++i) {
@@ -152,7 +157,17 @@ HWY_INLINE std::uint32_t overlaps(const BoxTree::Node& node, const Frame& f, con
         square[0] = hn::Add(square[0], hn::Mul(g, g));
         square[1] = hn::Add(square[1], hn::Mul(h, h));
       }
-      const Vector bound = hn::Sub(hn::Sqrt(hn::Max(square[0], square[1])), hn::Set(d, slack));
+      const Vector along = hn::Add(hn::Add(hn::Mul(dist[0], hn::Set(d, axis->here[0])),
+                                           hn::Mul(dist[1], hn::Set(d, axis->here[1]))),
+                                   hn::Mul(dist[2], hn::Set(d, axis->here[2])));
+      const Vector span = hn::Add(hn::Add(hn::Mul(half[0], hn::Set(d, axis->abs_here[0])),
+                                          hn::Mul(half[1], hn::Set(d, axis->abs_here[1]))),
+                                  hn::Mul(half[2], hn::Set(d, axis->abs_here[2])));
+      const float constant = axis->abs_there[0] * box.half[0] + axis->abs_there[1] * box.half[1] +
+                             axis->abs_there[2] * box.half[2];
+      const Vector axis_gap = hn::Sub(hn::Abs(along), hn::Add(span, hn::Set(d, constant)));
+      const Vector bound =
+          hn::Sub(hn::Max(hn::Sqrt(hn::Max(square[0], square[1])), axis_gap), hn::Set(d, slack));
       hn::Store(bound, d, bounds + first);
       apart = hn::Or(apart, hn::Gt(bound, limit));
     } else {
@@ -224,6 +239,23 @@ HWY_INLINE void descend(const BoxTree::Node& node, int i, const Entry& from, Ent
   }
 }
 
+// `axis` is in a's frame.
+HWY_INLINE Axis axis_in(const Frame& frame, int side, const Vec3& axis) {
+  Axis out;
+  for (int i = 0; i < 3; ++i) {
+    // Frame of side 0 holds a_from_b, of side 1 its transpose.
+    float there = 0;
+    for (int j = 0; j < 3; ++j) {
+      there += static_cast<float>(axis[j]) * (side == 0 ? frame.r[j][i] : frame.r[i][j]);
+    }
+    const auto here = static_cast<float>(axis[i]);
+    out.here[i] = side == 0 ? here : there;
+    out.abs_here[i] = std::abs(out.here[i]);
+    out.abs_there[i] = std::abs(side == 0 ? there : here);
+  }
+  return out;
+}
+
 bool VisitClose(const Pair& pair, double distance, PairVisitor visitor, void* context) {
   const float margin = widened(distance, pair.slack);
   Entry stack[kStack];
@@ -234,7 +266,7 @@ bool VisitClose(const Pair& pair, double distance, PairVisitor visitor, void* co
     const Frame& frame = pair.frame[entry.side];
     const BoxTree::Node& node = frame.tree->nodes[static_cast<std::size_t>(entry.open)];
     alignas(64) float gaps[BoxTree::kWidth];
-    std::uint32_t bits = overlaps<false>(node, frame, entry.box, margin, 0.0f, gaps);
+    std::uint32_t bits = overlaps<false>(node, frame, entry.box, margin, 0.0f, nullptr, gaps);
     std::uint32_t many[BoxTree::kWidth];
     int leaves = 0, deepest = count;
     float deepest_gap = std::numeric_limits<float>::infinity();
@@ -262,19 +294,21 @@ bool VisitClose(const Pair& pair, double distance, PairVisitor visitor, void* co
   return false;
 }
 
-bool VisitClosest(const Pair& pair, const double* distance, PairVisitor visitor, void* context) {
+bool VisitClosest(const Pair& pair, const ClosestSoFar& so_far, PairVisitor visitor,
+                  void* context) {
   const float slack = widened(0, pair.slack);
   Entry stack[kStack];
   int count = 1;
   root_entry(pair, stack[0]);
   while (count > 0) {
     const Entry entry = stack[--count];
-    const float margin = widened(*distance, pair.slack);
+    const float margin = widened(so_far.distance, pair.slack);
     if (entry.bound > margin) continue;
     const Frame& frame = pair.frame[entry.side];
     const BoxTree::Node& node = frame.tree->nodes[static_cast<std::size_t>(entry.open)];
     alignas(64) float bounds[BoxTree::kWidth];
-    std::uint32_t bits = overlaps<true>(node, frame, entry.box, margin, slack, bounds);
+    const Axis axis = axis_in(frame, entry.side, so_far.axis);
+    std::uint32_t bits = overlaps<true>(node, frame, entry.box, margin, slack, &axis, bounds);
     const bool against_triangle = BoxTree::is_triangle(entry.against);
     // Nearest first: leaves are visited in that order, entries pushed so that the nearest is on
     // top.
@@ -294,7 +328,7 @@ bool VisitClosest(const Pair& pair, const double* distance, PairVisitor visitor,
       for (int k = 0; k < n; ++k) {
         const BoxTree::Ref child = node.child[order[k]];
         if (!BoxTree::is_triangle(child)) continue;
-        if (bounds[order[k]] > widened(*distance, pair.slack)) break;
+        if (bounds[order[k]] > widened(so_far.distance, pair.slack)) break;
         const std::uint32_t many = BoxTree::triangle_of(child);
         if (visitor(context, BoxTree::triangle_of(entry.against), &many, 1, entry.side == 1)) {
           return true;
@@ -339,10 +373,12 @@ bool visit_close_pairs(const BoxTree& a, const BoxTree& b, const RigidTransform&
 }
 
 bool visit_closest_pairs(const BoxTree& a, const BoxTree& b, const RigidTransform& a_from_b,
-                         const double* distance, PairVisitor visitor, void* context) {
+                         const ClosestSoFar& so_far, PairVisitor visitor, void* context) {
   Pair pair;
-  if (a.empty() || b.empty() || !set_pair(pair, a, b, a_from_b, *distance)) return false;
-  return HWY_DYNAMIC_DISPATCH(VisitClosest)(pair, distance, visitor, context);
+  if (a.empty() || b.empty() || !set_pair(pair, a, b, a_from_b, so_far.distance)) {
+    return false;
+  }
+  return HWY_DYNAMIC_DISPATCH(VisitClosest)(pair, so_far, visitor, context);
 }
 
 }  // namespace elbowroom

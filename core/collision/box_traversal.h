@@ -27,10 +27,17 @@ using PairVisitor = bool (*)(void* context, std::uint32_t one, const std::uint32
 bool visit_close_pairs(const BoxTree& a, const BoxTree& b, const RigidTransform& a_from_b,
                        double distance, PairVisitor visitor, void* context);
 
-// Visits pairs nearest boxes first while their boxes may be closer than *distance, which the
-// visitor lowers as it finds closer triangles.
+// The closest pair of triangles so far, kept by the visitor below.
+struct ClosestSoFar {
+  double distance = 0;  // pairs of boxes farther apart than this are left out
+  Vec3 axis{0.0};  // unit vector in a's frame from one of the closest points to the other, or 0
+};
+
+// Visits pairs nearest boxes first while their boxes may be closer than so_far.distance, which the
+// visitor lowers as it finds closer triangles. Boxes are compared along so_far.axis too: about the
+// closest points of smooth surfaces that axis separates nearly everything else.
 bool visit_closest_pairs(const BoxTree& a, const BoxTree& b, const RigidTransform& a_from_b,
-                         const double* distance, PairVisitor visitor, void* context);
+                         const ClosestSoFar& so_far, PairVisitor visitor, void* context);
 
 // The transform is finite, so that anything can be said about the pair.
 bool is_finite(const RigidTransform& t);

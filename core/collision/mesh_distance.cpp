@@ -18,12 +18,29 @@ TrianglePoints placed(const RigidTransform& a_from_b, const TrianglePoints& t) {
   return {a_from_b * t[0], a_from_b * t[1], a_from_b * t[2]};
 }
 
+// The projections onto a unit axis are farther apart than `distance`.
+bool apart_along(const Vec3& axis, const TrianglePoints& a, const TrianglePoints& b,
+                 double distance) {
+  const Vec3 base = a[0];
+  double low_a = 0, high_a = 0, low_b = glm::dot(axis, b[0] - base), high_b = low_b;
+  for (std::size_t i = 1; i < 3; ++i) {
+    const double ha = glm::dot(axis, a[i] - base), hb = glm::dot(axis, b[i] - base);
+    low_a = std::min(low_a, ha);
+    high_a = std::max(high_a, ha);
+    low_b = std::min(low_b, hb);
+    high_b = std::max(high_b, hb);
+  }
+  // Rounding of the axis and of the projections is far below this.
+  const double limit = distance * (1 + 1e-12) + 1e-14 * (std::abs(low_b) + std::abs(high_b));
+  return low_b - high_a > limit || low_a - high_b > limit;
+}
+
 struct Closest {
   const Data& a;
   const Data& b;
   const RigidTransform& a_from_b;
   const PatchFilter& filter;
-  double best;
+  ClosestSoFar best;
 };
 
 bool visit_closest(void* context, std::uint32_t one, const std::uint32_t* many, int count,
@@ -33,12 +50,20 @@ bool visit_closest(void* context, std::uint32_t one, const std::uint32_t* many, 
     const std::uint32_t ta = one_is_a ? one : many[i], tb = one_is_a ? many[i] : one;
     if (c.filter.allows(ta, tb)) continue;
     const TrianglePoints pa = c.a.triangle(ta), pb = placed(c.a_from_b, c.b.triangle(tb));
-    if (surely_apart(pa, pb, c.best)) continue;
+    const double best = c.best.distance;
+    const bool first = c.best.axis == Vec3(0.0);
+    if (!first && (apart_along(c.best.axis, pa, pb, best) || surely_apart(pa, pb, best))) continue;
     if (triangles_intersect(pa, pb)) {
-      c.best = 0;
+      c.best.distance = 0;
       return true;
     }
-    c.best = std::min(c.best, std::sqrt(closest_points(pa, pb).distance2));
+    const ClosestPoints closest =
+        closest_points(pa, pb, 0, first ? std::numeric_limits<double>::infinity() : best * best);
+    const double distance = std::sqrt(closest.distance2);
+    // The first pair gives an axis even if it is farther apart than what is asked about.
+    if (!first && !(distance < best)) continue;
+    c.best.distance = std::min(best, distance);
+    c.best.axis = distance > 0 ? (closest.on_b - closest.on_a) / distance : Vec3(0.0);
   }
   return false;
 }
@@ -132,9 +157,9 @@ double surface_distance(const CollisionMesh& a, const CollisionMesh& b,
   const Data &da = a.data(), &db = b.data();
   if (da.tree.empty() || db.tree.empty() || !(at_most > 0)) return std::fmax(at_most, 0.0);
   if (!is_finite(a_from_b)) return 0;
-  Closest closest{da, db, a_from_b, filter, at_most};
-  visit_closest_pairs(da.tree, db.tree, a_from_b, &closest.best, visit_closest, &closest);
-  return closest.best;
+  Closest closest{da, db, a_from_b, filter, {at_most, Vec3(0.0)}};
+  visit_closest_pairs(da.tree, db.tree, a_from_b, closest.best, visit_closest, &closest);
+  return closest.best.distance;
 }
 
 double penetration_depth(const CollisionMesh& a, const CollisionMesh& b,

@@ -154,6 +154,12 @@ Vec3 closest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
 void closest_of_segments(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b,
                          ClosestPoints& best) {
   const Vec3 u = q - p, v = b - a, w = a - p;
+  // Spheres around the two are farther apart than the best so far?
+  const Vec3 between = w + 0.5 * (v - u);
+  const double reach2 = 0.5 * (glm::dot(u, u) + glm::dot(v, v));  // ≥ (|u|/2 + |v|/2)²
+  const double gap2 = glm::dot(between, between);
+  // |between| > reach + best  if  |between|² > 2 (reach² + best²).
+  if (gap2 > 2 * (reach2 + best.distance2) * (1 + 1e-12)) return;
   const Vec3 n = glm::cross(u, v);
   const double nn = glm::dot(n, n);
   // Nearly parallel: the ends are tried as well, whatever the perpendicular says.
@@ -175,12 +181,25 @@ void closest_of_segments(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3
   keep_closer(best, closest_on_segment(b, p, q), b);
 }
 
-// Foot of the perpendicular from p onto t's plane, if it lies in t.
-bool foot_inside(const Vec3& p, const TrianglePoints& t, Vec3& foot) {
-  const Vec3 u = t[1] - t[0], v = t[2] - t[0], w = p - t[0];
-  const Vec3 n = glm::cross(u, v);
-  const double nn = glm::dot(n, n);
+// Foot of the perpendicular from p onto t's plane, if it lies in t and may be nearer than the root
+// of `at_most`. A triangle and its normal, to ask about several points.
+struct Foot {
+  const TrianglePoints& t;
+  Vec3 u, v, n;
+  double nn;
+
+  explicit Foot(const TrianglePoints& triangle)
+      : t(triangle), u(t[1] - t[0]), v(t[2] - t[0]), n(glm::cross(u, v)), nn(glm::dot(n, n)) {}
+  bool inside(const Vec3& p, double at_most, Vec3& foot) const;
+};
+
+bool Foot::inside(const Vec3& p, double at_most, Vec3& foot) const {
   if (!(nn > 0)) return false;
+  const Vec3 w = p - t[0];
+  const double h = glm::dot(w, n);
+  // Normals of slivers are too rough to leave a point out by.
+  if (h * h > at_most * nn * (1 + 1e-9) && nn > 1e-12 * glm::dot(u, u) * glm::dot(v, v))
+    return false;
   const double b = glm::dot(glm::cross(w, v), n) / nn;
   const double c = glm::dot(glm::cross(u, w), n) / nn;
   if (b < 0 || c < 0 || b + c > 1) return false;
@@ -266,13 +285,15 @@ Passing segment_passes(const Vec3& p, const Vec3& q, const TrianglePoints& t) {
   return positive && negative ? Passing::misses : Passing::grazes;
 }
 
-ClosestPoints closest_points(const TrianglePoints& a, const TrianglePoints& b, double enough) {
+ClosestPoints closest_points(const TrianglePoints& a, const TrianglePoints& b, double enough,
+                             double at_most) {
   ClosestPoints best;
-  best.distance2 = std::numeric_limits<double>::infinity();
+  best.distance2 = at_most;
   Vec3 foot;
+  const Foot on_a(a), on_b(b);
   for (std::size_t i = 0; i < 3; ++i) {
-    if (foot_inside(b[i], a, foot)) keep_closer(best, foot, b[i]);
-    if (foot_inside(a[i], b, foot)) keep_closer(best, a[i], foot);
+    if (on_a.inside(b[i], best.distance2, foot)) keep_closer(best, foot, b[i]);
+    if (on_b.inside(a[i], best.distance2, foot)) keep_closer(best, a[i], foot);
   }
   if (best.distance2 <= enough) return best;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -286,9 +307,9 @@ ClosestPoints closest_points(const TrianglePoints& a, const TrianglePoints& b, d
 
 Vec3 closest_point(const Vec3& p, const TrianglePoints& t) {
   Vec3 foot;
-  if (foot_inside(p, t, foot)) return foot;
   ClosestPoints best;
   best.distance2 = std::numeric_limits<double>::infinity();
+  if (Foot(t).inside(p, best.distance2, foot)) return foot;
   for (std::size_t i = 0; i < 3; ++i) {
     keep_closer(best, p, closest_on_segment(p, t[i], t[(i + 1) % 3]));
   }
@@ -303,7 +324,7 @@ bool triangles_touch(const TrianglePoints& a, const TrianglePoints& b, double di
   if (!(distance > 0)) return triangles_intersect(a, b);
   if (surely_apart(a, b, distance)) return false;
   const double d2 = distance * distance;
-  return triangles_intersect(a, b) || closest_points(a, b, d2).distance2 <= d2;
+  return triangles_intersect(a, b) || closest_points(a, b, d2, d2 * (1 + 1e-9)).distance2 <= d2;
 }
 
 Vec3 intersection_point(const TrianglePoints& a, const TrianglePoints& b) {

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "core/base/math.h"
 
@@ -39,9 +40,11 @@ struct ClosestPoints {
   Vec3 on_a{0.0}, on_b{0.0};
 };
 
-// Closest points of two triangles that do not cross (of two that cross: of their borders). Relative
-// error about 1e-12 of the triangles' size. Stops early at a pair with distance² ≤ `enough`.
-ClosestPoints closest_points(const TrianglePoints& a, const TrianglePoints& b, double enough = 0);
+// Closest points of two triangles that do not cross (of two that cross: of their borders), if their
+// distance² is below `at_most`; else distance2 is `at_most`. Relative error about 1e-12 of the
+// triangles' size. Stops early at a pair with distance² ≤ `enough`.
+ClosestPoints closest_points(const TrianglePoints& a, const TrianglePoints& b, double enough = 0,
+                             double at_most = std::numeric_limits<double>::infinity());
 
 // Closest point of t to p.
 Vec3 closest_point(const Vec3& p, const TrianglePoints& t);
