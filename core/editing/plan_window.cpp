@@ -34,6 +34,7 @@ struct Attempt {
   bool on_skin = false;
   double clearance = 0;  // scene units
   double margin = 0;
+  double near_share = 0;  // of samples near the clip's own motion
 };
 
 // What one window has in common for all attempts.
@@ -210,6 +211,9 @@ bool try_once(Problem& p, const Attempt& attempt, const PlanningWishes& wishes, 
   query.init = {p.at_init.q, p.begin};
   query.goal = {p.at_goal.q, p.end};
   query.length_unit = p.length_unit;
+  query.reference = [&p](double t) { return p.track->at(t).q; };
+  planner.sampling.near_share = attempt.near_share;
+  planner.sampling.max_tries = 16;
   const auto planned = plan(*world, query, planner, stop, progress);
   report.plan_ms += planned.milliseconds;
   report.iterations += planned.stats.iterations;
@@ -360,8 +364,8 @@ WindowPlan plan_window(SceneCollision& scene, const std::shared_ptr<const Clip>&
 
   const double skin = 0.01 * scene.height();
   const std::vector<Attempt> attempts = {
-      {false, wanted, 0},      {false, wanted, skin},     {true, wanted, 0},
-      {true, 0.3 * wanted, 0}, {true, 2.0 * touching, 0},
+      {false, wanted, 0, 0.25}, {false, wanted, 0, 0.9},      {false, wanted, skin, 0.9},
+      {true, wanted, 0, 0.8},   {true, 0.3 * wanted, 0, 0.9}, {true, 2.0 * touching, 0, 0.9},
   };
   std::optional<Candidate> best;
   Candidate failed;  // gathers the counts and the last reason

@@ -26,7 +26,7 @@ class Search {
          double speed_share, std::stop_token stop, PlannerResult& result)
       : world_(world),
         settings_(settings),
-        sampling_{query.space, query.init, query.goal, speed_share},
+        sampling_{query.space, query.init, query.goal, speed_share, query.reference},
         weights_{settings.time_weight * query.length_unit, settings.posture_weight},
         step_(settings.step * query.length_unit),
         stop_(std::move(stop)),

@@ -23,6 +23,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <stop_token>
 #include <string>
@@ -55,6 +56,8 @@ struct PlannerQuery {
   const DofSpace* space = nullptr;  // must outlive the call
   Configuration init, goal;         // (c_init, t_init), (c_goal, t_goal)
   double length_unit = 1;           // the limb's length, scene units: the unit of the metric
+  // The clip's parameters over the window, for SamplingSettings::near_share; may be empty.
+  std::function<Dofs(double t)> reference;
 };
 
 enum class PlannerStatus {

@@ -21,6 +21,22 @@ bool inside_ellipses(const DofSpace& space, const Dofs& q) {
   return true;
 }
 
+// The reference at the sample's time, one to three DOFs of it moved; limits are kept by the
+// caller's test and by clamping.
+void draw_near_reference(const SamplingQuery& query, const SamplingSettings& settings,
+                         Random& random, Configuration& c) {
+  const DofSpace& space = *query.space;
+  c.q = query.reference(c.t);
+  const int moved = 1 + static_cast<int>(random.below(3));
+  for (int k = 0; k < moved; ++k) {
+    const int i = static_cast<int>(random.below(static_cast<std::uint64_t>(space.count())));
+    const Dof& dof = space.dofs[static_cast<std::size_t>(i)];
+    // Small moves as often as large ones.
+    const double reach = settings.near_reach * random.uniform();
+    c.q[i] = std::clamp(c.q[i] + random.uniform(-reach, reach), dof.lower, dof.upper);
+  }
+}
+
 }  // namespace
 
 SamplingInterval sampling_interval(const SamplingQuery& query, const SamplingSettings& settings,
@@ -79,9 +95,13 @@ bool sample_configuration(StateSpace& world, const SamplingQuery& query,
     Configuration c;
     c.q.count = space.count();
     c.t = random.uniform(query.init.t, query.goal.t);
-    for (int i = 0; i < space.count(); ++i) {
-      const SamplingInterval interval = sampling_interval(query, settings, iteration, i, c.t);
-      c.q[i] = random.uniform(interval.lower, interval.upper);
+    if (settings.near_share > 0 && query.reference && random.uniform() < settings.near_share) {
+      draw_near_reference(query, settings, random, c);
+    } else {
+      for (int i = 0; i < space.count(); ++i) {
+        const SamplingInterval interval = sampling_interval(query, settings, iteration, i, c.t);
+        c.q[i] = random.uniform(interval.lower, interval.upper);
+      }
     }
     if (!inside_ellipses(space, c.q)) {
       ++sampling.outside_limits;

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <stop_token>
 
 #include "core/base/random.h"
@@ -28,6 +29,13 @@ struct SamplingSettings {
   double secondary_from = 0.25;
   double secondary_to = 1.0;
   std::int64_t secondary_iterations = 600;
+  // Share of the samples that are drawn near a reference, the clip's own motion: its values at the
+  // sample's time, of which a few DOFs are moved by up to near_reach. 0, the paper's way, draws
+  // none so. A limb in tight quarters (a hand with a shield strapped to it) has few other free
+  // postures, and what is near the clip keeps its style. Without a reference nothing is drawn near
+  // it.
+  double near_share = 0;
+  double near_reach = 0.8;  // radians
   // Draws in one call before it gives up.
   int max_tries = 64;
 };
@@ -37,6 +45,8 @@ struct SamplingQuery {
   const DofSpace* space = nullptr;
   Configuration init, goal;
   double speed_share = 1.0;  // of the speed limits, that the motion may use
+  // The clip's parameters over the window, continuous; may be empty. It may collide.
+  std::function<Dofs(double t)> reference;
 };
 
 struct SamplingCounters {
