@@ -2,6 +2,8 @@
 // Makes small glTF files for tests: a document as JSON, bytes as they are needed.
 #pragma once
 
+#include <unistd.h>
+
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -19,7 +21,10 @@ using Json = nlohmann::json;
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "elbowroom-XXXXXX").string();
+    // In memory where there is such a place: tests write thousands of files.
+    std::filesystem::path parent = std::filesystem::temp_directory_path();
+    if (access("/dev/shm", W_OK) == 0) parent = "/dev/shm";
+    std::string pattern = (parent / "elbowroom-XXXXXX").string();
     if (mkdtemp(pattern.data())) path_ = pattern;
   }
   ~TemporaryFolder() {
