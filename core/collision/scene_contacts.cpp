@@ -56,24 +56,39 @@ bool any_not_allowed(const std::vector<ContactGroup>& groups) {
   return std::any_of(groups.begin(), groups.end(), [](const auto& g) { return g.reason == 0; });
 }
 
+bool same_parts(const ContactGroup& a, const ContactGroup& b) {
+  return a.part_a == b.part_a && a.part_b == b.part_b;
+}
+
 // Contacts that the clip has at this very time are allowed by definition, whether or not the scan
 // that gathered patches looked at this time: those of `groups` are marked as the clip's where it
-// has the same patches in contact, as deep. Leaves the source clip posed.
-void excuse_by_source(Data& data, const TestPair& pair, std::vector<ContactGroup>& groups) {
+// has the same patches in contact, as deep. What is no contact but nearer than `distance` is so
+// where the clip has the two parts as near. Leaves the source clip posed.
+void excuse_by_source(Data& data, const TestPair& pair, double distance,
+                      std::vector<ContactGroup>& groups) {
+  std::vector<ContactGroup> touching_now;
+  if (distance > data.touching())
+    touching_now = contact_groups(data, pair, data.touching(), nullptr);
   const double t = data.posed_at;
   data.pose(t, true);
   // What is near in the clip serves too, as in the scan, where the parts are in contact at all.
   const auto touching = contact_groups(data, pair, data.touching(), nullptr);
-  const auto near = contact_groups(data, pair, data.settings.clearance * data.height, nullptr);
+  const auto near = contact_groups(
+      data, pair, std::max(distance, data.settings.clearance * data.height), nullptr);
   for (ContactGroup& group : groups) {
     if (group.reason != 0) continue;
+    const auto same = [&](const ContactGroup& other) { return same_parts(group, other); };
+    if (distance > data.touching() &&
+        std::none_of(touching_now.begin(), touching_now.end(), same)) {
+      if (std::any_of(near.begin(), near.end(), same)) group.reason = AllowedPatches::kClip;
+      continue;
+    }
     double depth = -1;
     std::vector<std::pair<std::uint16_t, std::uint16_t>> patches;
     for (const ContactGroup& g : touching)
-      if (g.part_a == group.part_a && g.part_b == group.part_b) depth = std::max(depth, g.depth);
+      if (same(g)) depth = std::max(depth, g.depth);
     for (const ContactGroup& g : near)
-      if (g.part_a == group.part_a && g.part_b == group.part_b)
-        patches.insert(patches.end(), g.patch_pairs.begin(), g.patch_pairs.end());
+      if (same(g)) patches.insert(patches.end(), g.patch_pairs.begin(), g.patch_pairs.end());
     sort_unique(patches);
     if (depth >= 0 && group.depth <= depth + data.touching() &&
         std::includes(patches.begin(), patches.end(), group.patch_pairs.begin(),
@@ -82,8 +97,9 @@ void excuse_by_source(Data& data, const TestPair& pair, std::vector<ContactGroup
   }
 }
 
-// Marks as allowed what is so by the clip; the world stays at its time, but perhaps in the source.
-void excuse_by_clip(Data& data, const TestPair& pair, std::vector<ContactGroup>& groups) {
+// Marks as allowed what is so by the clip; the world stays at its time.
+void excuse_by_clip(Data& data, const TestPair& pair, double distance,
+                    std::vector<ContactGroup>& groups) {
   if (!pair.clip_may_allow || !any_not_allowed(groups)) return;
   if (data.posed_at < data.begin || data.posed_at > data.end) return;
   if (data.playing_source()) {
@@ -92,7 +108,7 @@ void excuse_by_clip(Data& data, const TestPair& pair, std::vector<ContactGroup>&
     return;
   }
   const double t = data.posed_at;
-  excuse_by_source(data, pair, groups);
+  excuse_by_source(data, pair, distance, groups);
   data.pose(t);
 }
 
@@ -241,7 +257,7 @@ bool Data::pair_in_contact(TestPair& pair, double distance) {
 
   const auto wrong_at = [&](double at_distance, const std::vector<bool>& skip) {
     auto groups = contact_groups(*this, pair, at_distance, &skip);
-    excuse_by_clip(*this, pair, groups);
+    excuse_by_clip(*this, pair, at_distance, groups);
     return any_not_allowed(groups);
   };
   // Pieces of one body: parity is looked at with the groups, where it is known which are closed.
@@ -259,7 +275,7 @@ void Data::pair_contacts(TestPair& pair, int only_limb, bool list_allowed,
   auto groups = contact_groups(*this, pair, touching(),
                                pair.allowed && !list_allowed ? &pair.allowed->always : nullptr);
   const Vec3 query_origin = origin;
-  excuse_by_clip(*this, pair, groups);
+  excuse_by_clip(*this, pair, touching(), groups);
   const int limb_a = pair.limb_a, limb_b = pair.limb_b;
   bool b_first = limb_a < 0 || (limb_b >= 0 && limb_b < limb_a);
   if (only_limb >= 0) b_first = !in_limb(limb_a, only_limb);

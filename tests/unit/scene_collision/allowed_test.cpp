@@ -144,6 +144,26 @@ TEST(AllowedContacts, AnotherPartOfTheThighIsNotAllowed) {
   EXPECT_FALSE(b.scene.limb_in_contact(1, 0, kEpsilon));
 }
 
+TEST(AllowedContacts, WhereTheClipIsNearTheLimbMayBeAsNear) {
+  // The hanging hand stays 3 mm off the thigh: nearer than the planning clearance.
+  const auto figure = make_figure({.thigh_side = 0.147});
+  SceneCollision scene = scene_of(world_of(figure, swing_clip({0, 1}, {-0.4, -kPi / 2})));
+  const LimbState as_clip = [] {
+    LimbState state;
+    state.q.count = 7;
+    state.q[1] = -kPi / 2;
+    return state;
+  }();
+  scene.pose_limb(0, &as_clip);
+  EXPECT_FALSE(scene.limb_in_contact(1, 0, 0.005));
+  EXPECT_TRUE(scene.limb_in_contact(0.2, 0, 0.005)) << "at another time the clip is far from it";
+  LimbState into = as_clip;
+  into.q[1] -= 0.02;
+  scene.pose_limb(0, &into);
+  EXPECT_TRUE(scene.limb_in_contact(1, 0, 0.005)) << "near is not in";
+  EXPECT_TRUE(scene.limb_in_contact(1, 0, kEpsilon));
+}
+
 TEST(AllowedContacts, TheClipsContactWithAnObstacleStaysAProblem) {
   const auto post = make_object("Post", box_shape({0.03f, 0.03f, 0.03f}));
   SceneCollision scene = scene_of(world_of(make_figure(), swing_clip({0, 1}, {0, 0}),
