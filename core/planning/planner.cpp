@@ -219,6 +219,10 @@ std::string settings_fault(const PlannerSettings& s) {
   if (!positive(s.speed_share)) return "the share of the speed limits is not positive";
   if (!positive(s.smallest_time_step)) return "the smallest time step is not positive";
   if (std::isnan(s.max_seconds)) return "the time budget is not a number";
+  if (!std::isfinite(s.sampling.near_share) || !std::isfinite(s.sampling.near_reach) ||
+      s.sampling.near_reach < 0) {
+    return "the samples near the clip have no proper share or reach";
+  }
   return {};
 }
 

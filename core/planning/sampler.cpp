@@ -21,20 +21,26 @@ bool inside_ellipses(const DofSpace& space, const Dofs& q) {
   return true;
 }
 
-// The reference at the sample's time, one to three DOFs of it moved; limits are kept by the
-// caller's test and by clamping.
-void draw_near_reference(const SamplingQuery& query, const SamplingSettings& settings,
+// The reference at the sample's time, one to three DOFs of it moved, all brought inside their
+// ranges. False if the reference has no such values.
+bool draw_near_reference(const SamplingQuery& query, const SamplingSettings& settings,
                          Random& random, Configuration& c) {
   const DofSpace& space = *query.space;
   c.q = query.reference(c.t);
+  if (c.q.count != space.count()) return false;
   const int moved = 1 + static_cast<int>(random.below(3));
   for (int k = 0; k < moved; ++k) {
     const int i = static_cast<int>(random.below(static_cast<std::uint64_t>(space.count())));
-    const Dof& dof = space.dofs[static_cast<std::size_t>(i)];
     // Small moves as often as large ones.
     const double reach = settings.near_reach * random.uniform();
-    c.q[i] = std::clamp(c.q[i] + random.uniform(-reach, reach), dof.lower, dof.upper);
+    c.q[i] += random.uniform(-reach, reach);
   }
+  for (int i = 0; i < space.count(); ++i) {
+    if (!std::isfinite(c.q[i])) return false;
+    const Dof& dof = space.dofs[static_cast<std::size_t>(i)];
+    c.q[i] = std::clamp(c.q[i], dof.lower, dof.upper);
+  }
+  return true;
 }
 
 }  // namespace
@@ -96,7 +102,10 @@ bool sample_configuration(StateSpace& world, const SamplingQuery& query,
     c.q.count = space.count();
     c.t = random.uniform(query.init.t, query.goal.t);
     if (settings.near_share > 0 && query.reference && random.uniform() < settings.near_share) {
-      draw_near_reference(query, settings, random, c);
+      if (!draw_near_reference(query, settings, random, c)) {
+        ++sampling.outside_limits;
+        continue;
+      }
     } else {
       for (int i = 0; i < space.count(); ++i) {
         const SamplingInterval interval = sampling_interval(query, settings, iteration, i, c.t);

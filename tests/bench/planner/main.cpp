@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/base/random.h"
+#include "core/planning/curve_energy.h"
 #include "core/planning/curve_fit.h"
 #include "core/planning/planner.h"
 #include "core/planning/smoothing.h"
@@ -44,6 +45,7 @@ struct Row {
   int runs = 0, solved = 0, first_free = 0, smooth_free = 0, curves = 0, curves_free = 0;
   std::vector<double> checks_first, checks_smooth, ms_first, ms_smooth;  // smooth: first included
   std::vector<double> checks_curve, ms_curve;                            // all three included
+  std::vector<double> acceleration, deviation;  // of the curve: peak, rad/s²; mean square, rad
   std::vector<double> peak_jump;  // of velocity, rad/s, at the smoothed path's corners and ends
 };
 
@@ -149,7 +151,7 @@ Row run_ours(const Problem& p, const std::string& name, double clearance, bool a
       settings.path_resolution = settings.resolution;
     }
     const PlannerResult found =
-        plan(*world, {&p.space, p.init(), p.goal(), p.length_unit}, settings);
+        plan(*world, {&p.space, p.init(), p.goal(), p.length_unit, {}}, settings);
     if (found.status != PlannerStatus::solved) continue;
     ++row.solved;
     SmoothingSettings smoothing;
@@ -179,6 +181,14 @@ Row run_ours(const Problem& p, const std::string& name, double clearance, bool a
     row.peak_jump.push_back(velocity_jump(p, smooth.path));
     if (fitted.status == CurveStatus::solved) {
       ++row.curves;
+      row.acceleration.push_back(fitted.peak_acceleration);
+      double square = 0;
+      for (int k = 0; k <= 500; ++k) {
+        const double t = p.begin + (p.end - p.begin) * k / 500.0;
+        const Dofs q = fitted.curve.value(t), r = p.track->at(t).q;
+        for (int d = 0; d < q.count; ++d) square += (q[d] - r[d]) * (q[d] - r[d]) / 501;
+      }
+      row.deviation.push_back(std::sqrt(square));
       row.curves_free +=
           truly_free(judge, p.begin, p.end, [&](double t) { return fitted.curve.value(t); });
     }
@@ -210,6 +220,23 @@ Row run_theirs(const Problem& p, const std::string& name, BoxKind kind, FclWorld
     row.peak_jump.push_back(velocity_jump(p, run.smooth));
   }
   return row;
+}
+
+// The clip's own peak acceleration over the window, low-passed at 12 Hz, rad/s².
+double clip_acceleration(const Problem& p) {
+  std::vector<double> breakpoints;
+  const int spans = std::max(4, static_cast<int>((p.end - p.begin) * 120));
+  for (int i = 0; i <= spans; ++i) breakpoints.push_back(p.begin + (p.end - p.begin) * i / spans);
+  Curve clip;
+  clip.knots = clamped_knots(breakpoints);
+  clip.control = smoothing_spline(
+      clip.knots, [&](double t) { return p.track->at(t).q; }, p.space.count(), 1 / (2 * kPi * 12));
+  double most = 0;
+  for (std::size_t k = 3; k + 3 < clip.knots.size() && !clip.empty(); ++k) {
+    const Dofs a = clip.second(clip.knots[k]);
+    for (int d = 0; d < a.count; ++d) most = std::max(most, std::abs(a[d]));
+  }
+  return most;
 }
 
 void print(const std::vector<Row>& rows) {
@@ -274,6 +301,7 @@ int run(const Options& options) {
                 ours_says);
     const double clearance = p.scene->settings().clearance * p.scene->height();
     std::vector<Row> rows;
+    std::printf("  the clip's own peak acceleration is %.1f rad/s2\n", clip_acceleration(p));
     print_check_costs(p);
     rows.push_back(run_ours(p, "ours, like for like", 0, true, *judge, options));
     rows.push_back(run_ours(p, "ours, as shipped", clearance, false, *judge, options));

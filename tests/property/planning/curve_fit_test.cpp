@@ -23,7 +23,7 @@ CurveQuery query_of(Problem& p, std::uint64_t seed) {
   PlannerSettings settings;
   settings.seed = seed;
   const PlannerResult found =
-      plan(p.world, {&p.world.space, p.init, p.goal, p.world.length_unit}, settings);
+      plan(p.world, {&p.world.space, p.init, p.goal, p.world.length_unit, {}}, settings);
   EXPECT_EQ(found.status, PlannerStatus::solved);
   SmoothingSettings smoothing;
   smoothing.seed = seed;

@@ -23,7 +23,7 @@ using test::Problem;
 constexpr int kSeeds = 25;
 
 PlannerQuery query_of(const Problem& p) {
-  return {&p.world.space, p.init, p.goal, p.world.length_unit};
+  return {&p.world.space, p.init, p.goal, p.world.length_unit, {}};
 }
 
 bool same_bytes(const std::vector<Configuration>& a, const std::vector<Configuration>& b) {

@@ -176,5 +176,49 @@ TEST(Sampler, SamplesAreWithinReachOfBothEnds) {
   }
 }
 
+TEST(Sampler, NearTheClipFewDofsMoveAndLimitsHold) {
+  const DofSpace space = arm();
+  SamplingQuery query = query_of(space);
+  query.reference = [](double t) {
+    Dofs q;
+    q.count = 5;
+    for (int i = 0; i < 5; ++i) q[i] = 0.05 * i * (t - 1);
+    q[3] = -0.4;  // the clip leaves the elbow's limit
+    return q;
+  };
+  SamplingSettings settings;
+  settings.near_share = 1;
+  settings.near_reach = 0.5;
+  FreeWorld world;
+  Random random(9);
+  SamplingCounters counters;
+  CheckCounters checks;
+  for (int i = 0; i < 2000; ++i) {
+    Configuration c;
+    ASSERT_TRUE(sample_configuration(world, query, settings, i, random, {}, c, counters, checks));
+    ASSERT_TRUE(space.within_limits(c.q));
+    if (c.t < 1.1 || c.t > 2.9) continue;  // pulled into reach there
+    int moved = 0;
+    for (int d = 0; d < 5; ++d) {
+      if (d == 3) continue;
+      const double off = std::abs(c.q[d] - query.reference(c.t)[d]);
+      EXPECT_LE(off, 3 * settings.near_reach + 1e-12);
+      moved += off > 1e-12;
+    }
+    EXPECT_LE(moved, 3);
+  }
+  // A reference that is none gives no samples, and no harm.
+  Configuration c;
+  query.reference = [](double) { return Dofs{}; };
+  EXPECT_FALSE(sample_configuration(world, query, settings, 0, random, {}, c, counters, checks));
+  query.reference = [](double) {
+    Dofs q;
+    q.count = 5;
+    q[1] = std::nan("");
+    return q;
+  };
+  EXPECT_FALSE(sample_configuration(world, query, settings, 0, random, {}, c, counters, checks));
+}
+
 }  // namespace
 }  // namespace elbowroom
