@@ -2,8 +2,8 @@
 #include "tests/unit/io_read/sample_index.h"
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
-#include <regex>
 #include <set>
 
 namespace elbowroom::test {
@@ -35,24 +35,44 @@ std::vector<std::string> cells_of(const std::string& row) {
   return cells;
 }
 
+bool is_number_part(char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-'; }
+
 // "Idle 2s, Walk, slow 1.25s": each clip ends in its length, and names may hold commas.
 int count_clips(const std::string& cell) {
-  static const std::regex kLength(R"( [0-9.]+(-[0-9.]+)?\s?s(,|$))");
-  return static_cast<int>(std::distance(std::sregex_iterator(cell.begin(), cell.end(), kLength),
-                                        std::sregex_iterator()));
+  int count = 0;
+  for (std::size_t at = 0; (at = cell.find('s', at)) != std::string::npos; ++at) {
+    const bool ends = at + 1 == cell.size() || cell[at + 1] == ',';
+    if (ends && at > 0 && cell[at - 1] >= '0' && cell[at - 1] <= '9') {
+      std::size_t first = at;
+      while (first > 0 && is_number_part(cell[first - 1])) --first;
+      if (first > 0 && cell[first - 1] == ' ') ++count;
+    }
+  }
+  return count;
+}
+
+// The number that stands before `word`: "4,672 triangles".
+std::optional<int> number_before(const std::string& line, const std::string& word) {
+  const std::size_t end = line.find(word);
+  if (end == std::string::npos) return std::nullopt;
+  std::size_t first = end;
+  while (first > 0 &&
+         (std::isdigit(static_cast<unsigned char>(line[first - 1])) || line[first - 1] == ',')) {
+    --first;
+  }
+  if (first == end) return std::nullopt;
+  return to_number(line.substr(first, end - first));
 }
 
 void read_list_line(const std::string& line, SampleFacts& facts) {
-  static const std::regex kTriangles(R"(([0-9,]+) triangles)"),
-      kJoints(R"(^- joints: ([0-9]+) in)"), kClips(R"(^- ([0-9]+) clip\(s\))"),
-      kRequired(R"(required: (KHR_draco_mesh_compression|EXT_meshopt_compression))");
-  std::smatch match;
-  if (std::regex_search(line, match, kTriangles)) facts.triangles = to_number(match[1]);
-  if (std::regex_search(line, match, kJoints)) facts.joints = to_number(match[1]);
-  if (std::regex_search(line, match, kClips)) facts.clips = to_number(match[1]);
+  if (const auto triangles = number_before(line, " triangles")) facts.triangles = triangles;
+  if (line.rfind("- joints: ", 0) == 0) facts.joints = number_before(line, " in ");
+  if (const auto clips = number_before(line, " clip(s)")) facts.clips = clips;
   if (line.rfind("- no skin", 0) == 0) facts.joints = 0;
   if (line.rfind("- no animation", 0) == 0) facts.clips = 0;
-  if (std::regex_search(line, kRequired)) facts.compressed = true;
+  for (const char* name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"}) {
+    if (line.find(std::string("required: ") + name) != std::string::npos) facts.compressed = true;
+  }
 }
 
 void read_table_row(const std::vector<std::string>& header, const std::vector<std::string>& cells,
