@@ -100,9 +100,8 @@ const CollisionSettings& SceneCollision::settings() const { return data_->settin
 const AllowedContacts& SceneCollision::allowed_contacts() const { return data_->allowed; }
 
 void SceneCollision::set_clip(std::shared_ptr<const Clip> clip) {
-  auto& played = data_->world.actors[static_cast<std::size_t>(data_->actor)].clip;
-  if (played == clip) return;
-  played = std::move(clip);
+  data_->world.actors[static_cast<std::size_t>(data_->actor)].clip = std::move(clip);
+  for (auto& limb : data_->posed_limbs) limb.reset();
   data_->posed = false;
 }
 

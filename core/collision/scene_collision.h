@@ -21,6 +21,9 @@ struct CollisionSettings {
   double joint_radius = 0.06;  // × height: geodesic radius of allowed contact about a joint that
                                // two parts share
   double patch_size = 0.03;    // × height: diameter of an allowed-contact patch
+  double touch_reach = 0.02;   // × height: while the clip has two parts in contact, patches this
+                               // near to each other belong to the touching; a limb that moves a
+                               // little slides over them, no deeper than the clip has it
 };
 
 enum class AllowedReason { shared_joint, bind_pose, clip, support };
@@ -72,11 +75,11 @@ class SceneCollision {
   const AllowedContacts& allowed_contacts() const;
 
   // The actor plays another clip from now on (a correction under test). What is allowed stays as
-  // it was built from the source clip.
+  // it was built from the source clip. Limbs that were posed follow the clip again.
   void set_clip(std::shared_ptr<const Clip> clip);
 
-  // That limb's joints take this state at every time instead of the clip's, until called with null:
-  // for planning on the deformed skin.
+  // That limb's joints take this state at every time instead of the clip's, until called with null
+  // or another clip is set: for planning on the deformed skin.
   void pose_limb(int limb, const LimbState* state);
 
   // Contacts at time t, on the deformed skin: of the limbs, of the rest of the character, and of
