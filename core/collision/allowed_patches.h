@@ -8,8 +8,8 @@
 //    setting's or 1.25 × the limb's own radius at that joint, whichever is larger, and at most half
 //    the limb's length.
 //  * bind_pose: the patches touch in the bind pose.
-//  * clip: the two parts are in contact in the source clip, and these patches are then within the
-//    planning clearance; allowed to the depth the clip has.
+//  * clip: the two parts are in contact in the source clip, and these patches are then within
+//    CollisionSettings::touch_reach; allowed to the depth the clip has.
 #pragma once
 
 #include <cstdint>

@@ -86,20 +86,37 @@ std::vector<double> clip_times(const Data& data) {
   return times;
 }
 
-// The patches the clip has in contact now.
-void allow_from_clip(Data& data, TestPair& pair) {
+using DepthByParts = std::map<std::pair<int, int>, double>;
+
+// The patches the clip has in contact now. `last` holds how deep they were at the time looked at
+// before; between two looks the clip may be deeper than at either, by half their difference at the
+// slopes seen.
+void allow_from_clip(Data& data, TestPair& pair, DepthByParts& last) {
+  const DepthByParts before = std::move(last);
+  last.clear();
   const auto touching = contact_groups(data, pair, data.touching(), &pair.allowed->always);
-  if (touching.empty()) return;
+  if (touching.empty() && before.empty()) return;
   std::set<std::pair<int, int>> parts;
   for (const ContactGroup& group : touching) {
     parts.emplace(group.part_a, group.part_b);
-    double& depth = pair.allowed->clip_depth[{group.part_a, group.part_b}];
-    depth = std::max(depth, group.depth);
+    double& now = last[{group.part_a, group.part_b}];
+    now = std::max(now, group.depth);
   }
-  // Where two parts are in contact, what is all but in contact beside it is part of the same
-  // touching; a hair's breadth of drift must not turn it into a collision.
-  const auto near =
-      contact_groups(data, pair, data.settings.clearance * data.height, &pair.allowed->always);
+  const auto deepen = [&](const std::pair<int, int>& key, double now, double then) {
+    double& depth = pair.allowed->clip_depth[key];
+    depth = std::max(depth, std::max(now, then) + 0.5 * std::abs(now - then));
+  };
+  for (const auto& [key, now] : last) {
+    const auto earlier = before.find(key);
+    deepen(key, now, earlier == before.end() ? 0.0 : earlier->second);
+  }
+  for (const auto& [key, then] : before)
+    if (!last.contains(key)) deepen(key, 0.0, then);
+  // Where two parts are in contact, what is near beside it is part of the same touching: an arm
+  // that rests on a coat slides over it as it moves, and stays as shallow as the clip has it.
+  const auto near = contact_groups(
+      data, pair, std::max(data.settings.clearance, data.settings.touch_reach) * data.height,
+      &pair.allowed->always);
   for (const ContactGroup& group : near)
     if (parts.contains({group.part_a, group.part_b}))
       for (const auto& [p, q] : group.patch_pairs) pair.allowed->allow(p, q, AllowedPatches::kClip);
@@ -177,10 +194,11 @@ void find_allowed_contacts(Data& data) {
   }
 
   // Over the clip.
+  std::map<std::pair<int, int>, DepthByParts> last;  // by bodies
   for (const double t : clip_times(data)) {
     data.pose(t, true);
     for (TestPair& pair : data.pairs_now().pairs)
-      if (pair.clip_may_allow) allow_from_clip(data, pair);
+      if (pair.clip_may_allow) allow_from_clip(data, pair, last[{pair.a, pair.b}]);
   }
   data.posed = false;
   list_entries(data);

@@ -40,7 +40,8 @@ struct WindowReport {
   std::string blocked_by;          // what stood in the way, when it failed: pair and time
   std::string reason;              // for people, when it failed
   std::vector<std::string> limits_widened;  // DOF names
-  int attempts = 0;
+  // What each attempt looked at and came to, in order, for people.
+  std::vector<std::string> attempts;
 };
 
 struct CorrectionOutcome {

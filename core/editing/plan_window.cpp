@@ -173,11 +173,11 @@ void measure_motion(const Problem& p, const Curve& curve, WindowReport& report) 
 
 // One attempt with one seed. Returns true with a verified candidate; otherwise report.reason and
 // blocked_by say why not.
-bool try_once(Problem& p, const Attempt& attempt, const PlanningWishes& wishes, std::uint64_t seed,
-              const std::stop_token& stop, const ProgressSink& progress, Candidate& candidate) {
+bool plan_and_verify(Problem& p, const Attempt& attempt, const PlanningWishes& wishes,
+                     std::uint64_t seed, const std::stop_token& stop, const ProgressSink& progress,
+                     Candidate& candidate) {
   WindowReport& report = candidate.report;
   report.seed = seed;
-  report.attempts++;
   p.scene->set_clip(p.clip);
 
   std::unique_ptr<LimbPlanningSpace> rigid;
@@ -286,6 +286,19 @@ bool try_once(Problem& p, const Attempt& attempt, const PlanningWishes& wishes, 
   measure_motion(p, fitted.curve, report);
   candidate.cost = motion_cost(p, fitted.curve, report.min_clearance);
   return true;
+}
+
+bool try_once(Problem& p, const Attempt& attempt, const PlanningWishes& wishes, std::uint64_t seed,
+              const std::stop_token& stop, const ProgressSink& progress, Candidate& candidate) {
+  const bool found = plan_and_verify(p, attempt, wishes, seed, stop, progress, candidate);
+  char text[160];
+  std::snprintf(text, sizeof text, "%s, clearance %.3g, margin %.3g, %.0f %% near the clip: ",
+                attempt.on_skin ? "deformed skin" : "rigid parts", attempt.clearance,
+                attempt.margin, 100 * attempt.near_share);
+  WindowReport& report = candidate.report;
+  report.attempts.push_back(text + (found ? "found and verified" : report.reason) +
+                            (report.blocked_by.empty() ? "" : "; " + report.blocked_by));
+  return found;
 }
 
 }  // namespace

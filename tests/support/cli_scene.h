@@ -115,7 +115,7 @@ inline void correct_and_judge(const CorrectCall& call, const Folder& folder) {
         correction["deviation_from_clip"].get<double>(), correction["peak_speed"].get<double>(),
         correction["plan_ms"].get<double>(), correction["smooth_ms"].get<double>(),
         correction["verify_ms"].get<double>(), correction["total_ms"].get<double>(),
-        correction["attempts"].get<int>());
+        static_cast<int>(correction["attempts"].size()));
   }
   const int samples = expect_delivered(delivered);
   std::printf("  judged at %d times\n", samples);
