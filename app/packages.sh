@@ -6,13 +6,13 @@
 packages_build=(
   g++ cmake ninja-build pkg-config
   libglm-dev nlohmann-json3-dev libcli11-dev libfmt-dev libstb-dev
-  libtinygltf-dev libembree-dev libopenmesh-dev
-  libepoxy-dev libegl-dev libgl-dev libgl1-mesa-dri libegl1
+  libtinygltf-dev libembree-dev libopenmesh-dev libhwy-dev
+  libepoxy-dev libegl-dev libgl-dev libgl1-mesa-dri libegl1 libegl-mesa0
   libglfw3-dev libimgui-dev fonts-inter
 )
 packages_test=(
   libgtest-dev libbenchmark-dev
-  libfcl-dev libompl-dev libcgal-dev
+  libfcl-dev libccd-dev libeigen3-dev libompl-dev libcgal-dev
   nodejs npm
 )
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Installs what is missing, builds Elbowroom, and opens it on the demo scene. Without a display it
-# corrects the demo clip into a file and a filmstrip instead. Arguments go to the program.
+# Installs what is missing, builds Elbowroom, and corrects the demo clip into a file, a report and a
+# filmstrip under out/. With arguments: runs the program with them instead.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # shellcheck source=app/packages.sh
@@ -24,11 +24,21 @@ program="$build/app/elbowroom"
 if [ $# -gt 0 ]; then
   exec "$program" "$@"
 fi
-if [ -n "${DISPLAY:-}" ] || [ -n "${WAYLAND_DISPLAY:-}" ]; then
-  say "3/3 Opening the demo scene"
-  exec "$program"
-fi
-say "3/3 There is no display, so no window: correcting the demo clip into files instead"
+say "3/3 There is no editor window yet: correcting the demo clip into files instead"
+assets="$build/assets"
 out="$root/out"
 mkdir -p "$out"
-exec "$program" demo --out-dir "$out"
+clip="Walk between posts"
+scene=(--obstacles "$assets/posts.glb" --attach "$assets/$(sed -n 's/.*kAttachArgument = "\(.*\)".*/\1/p' "$root/assets/demo.h")")
+
+# Says a command and runs it.
+run() {
+  say "elbowroom $*"
+  "$program" "$@"
+}
+run check --character "$assets/mannequin.glb" --clip "$clip" "${scene[@]}" || [ $? -eq 4 ]
+run correct --character "$assets/mannequin.glb" --clip "$clip" "${scene[@]}" \
+  -o "$out/demo.glb" --report "$out/demo.json"
+run render --character "$out/demo.glb" --clip "$clip" --compare "$clip (corrected)" "${scene[@]}" \
+  --times 1.45,1.65,1.8,1.95,2.1,2.3 -o "$out/demo.png"
+say "Done: $out/demo.glb (the corrected clip), demo.json (the report), demo.png (before and after)"
