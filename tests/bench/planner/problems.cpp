@@ -187,22 +187,23 @@ std::vector<Result<Problem>> problems() {
                        }
                        world.actors.push_back(obstacle("thin posts", posts));
                      }));
-  all.push_back(
-      make("ball", "the demo's posts, and a ball that flies at the hand from ahead", true,
-           [](World& world) {
-             const Clip& clip = *world.actors.front().clip;
-             const double meets = clip.begin + 0.45 * (clip.end - clip.begin);
-             const Vec3 hand = joint_place(world, demo::kAttachJoint, meets);
-             const Vec3 velocity(0.35, -0.1, -1.2);
-             test::SimpleMesh ball;
-             const test::Shape shape = test::sphere_shape(0.12f, 24, 48);
-             ball.positions = shape.positions;
-             ball.triangles = shape.triangles;
-             world.actors.push_back(
-                 obstacle("ball", {ball},
-                          {{static_cast<float>(clip.begin), hand + (clip.begin - meets) * velocity},
-                           {static_cast<float>(clip.end), hand + (clip.end - meets) * velocity}}));
-           }));
+  all.push_back(make(
+      "balls", "the demo's posts, and two balls that fly at the hand, from ahead and from a side",
+      true, [](World& world) {
+        const Clip& clip = *world.actors.front().clip;
+        const test::Shape shape = test::sphere_shape(0.12f, 24, 48);
+        const test::SimpleMesh ball{shape.positions, shape.triangles};
+        const auto fly = [&](const std::string& name, double share, const Vec3& velocity) {
+          const double meets = clip.begin + share * (clip.end - clip.begin);
+          const Vec3 hand = joint_place(world, demo::kAttachJoint, meets);
+          world.actors.push_back(
+              obstacle(name, {ball},
+                       {{static_cast<float>(clip.begin), hand + (clip.begin - meets) * velocity},
+                        {static_cast<float>(clip.end), hand + (clip.end - meets) * velocity}}));
+        };
+        fly("ball from ahead", 0.32, Vec3(0.3, -0.1, -1.2));
+        fly("ball from the side", 0.62, Vec3(1.3, 0.1, 0.4));
+      }));
   return all;
 }
 
