@@ -12,6 +12,10 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
+// From this depth on parts are halved, so that each level has at most an eighth of the triangles of
+// the one above: kMaxDepth holds for any number of them.
+constexpr int kHalvingDepth = 12;
+
 struct Bounds {
   glm::vec3 low{kInfinity}, high{-kInfinity};
   void add(const Bounds& b) {
@@ -129,8 +133,8 @@ class Builder {
     for (int k = 1; k < 3; ++k) {
       if (extent[k] > extent[longest]) longest = k;
     }
-    // Below 12 wide levels only halving bounds the depth.
-    if (depth >= 12 || !(extent[longest] > 0)) return split_at_median(begin, end, longest);
+    if (depth >= kHalvingDepth || !(extent[longest] > 0))
+      return split_at_median(begin, end, longest);
 
     constexpr int kBins = 16;
     float best_cost = kInfinity;
@@ -190,8 +194,12 @@ class Builder {
         const std::size_t n = parts[i].end - parts[i].begin;
         if (n < 2) continue;
         const bool large = n > BoxTree::kWidth;
+        // Deep down the largest part goes first whatever its cost: that bounds the depth.
+        const auto urgency = [&](const Part& p) {
+          return depth >= kHalvingDepth ? static_cast<float>(p.end - p.begin) : p.cost;
+        };
         if (pick == parts.size() || (large && !pick_large) ||
-            (large == pick_large && parts[i].cost > parts[pick].cost)) {
+            (large == pick_large && urgency(parts[i]) > urgency(parts[pick]))) {
           pick = i;
           pick_large = large;
         }

@@ -5,6 +5,7 @@
 
 #include "core/collision/box_traversal.h"
 #include "core/collision/containment.h"
+#include "core/collision/edge_rays.h"
 #include "core/collision/mesh_data.h"
 
 namespace elbowroom {
@@ -26,25 +27,48 @@ struct Query {
   }
 };
 
-// Looks for the first contact.
+// Looks for the first contact. What decides:
+//  * each pair of triangles that culling leaves, the predicate: measured, it costs less (about 60
+//  ns)
+//    than an edge's share of a ray packet about the contact (90 ns), and it is needed anyway where
+//    rays are not to be trusted or do not reach, near pairs above all;
+//  * where a first kPairsBeforeRays pairs have decided nothing, and after every doubling of them,
+//    packets of edge rays: deep in one another, large meshes have thousands of near pairs that do
+//    not cross, and a ray looks at the whole mesh at once.
 struct Search {
+  static constexpr std::size_t kPairsBeforeRays = 256;
+
   const Query& query;
   PairCache* cache;
+  std::size_t undecided = 0;
+  std::size_t rays_at = kPairsBeforeRays;
+  TrianglePair last[kPairsBeforeRays];  // undecided pairs, a ring
+
+  Search(const Query& its_query, PairCache* its_cache) : query(its_query), cache(its_cache) {}
+
+  bool found(const TrianglePair& pair) const {
+    if (cache) *cache = {pair.a, pair.b, true};
+    return true;
+  }
 };
 
 bool visit_search(void* context, std::uint32_t one, const std::uint32_t* many, int count,
                   bool one_is_a) {
-  const Search& search = *static_cast<Search*>(context);
+  Search& search = *static_cast<Search*>(context);
   const Query& q = search.query;
   const TrianglePoints first = one_is_a ? q.triangle_a(one) : q.triangle_b(one);
   for (int i = 0; i < count; ++i) {
-    const std::uint32_t ta = one_is_a ? one : many[i], tb = one_is_a ? many[i] : one;
-    if (q.filter.allows(ta, tb)) continue;
-    const bool touch = one_is_a ? triangles_touch(first, q.triangle_b(tb), q.distance)
-                                : triangles_touch(q.triangle_a(ta), first, q.distance);
-    if (!touch) continue;
-    if (search.cache) *search.cache = {ta, tb, true};
-    return true;
+    const TrianglePair pair = one_is_a ? TrianglePair{one, many[i]} : TrianglePair{many[i], one};
+    if (q.filter.allows(pair.a, pair.b)) continue;
+    const bool touch = one_is_a ? triangles_touch(first, q.triangle_b(pair.b), q.distance)
+                                : triangles_touch(q.triangle_a(pair.a), first, q.distance);
+    if (touch) return search.found(pair);
+    search.last[search.undecided++ % Search::kPairsBeforeRays] = pair;
+  }
+  if (search.undecided >= search.rays_at) {
+    search.rays_at *= 2;
+    TrianglePair pair;
+    if (edges_cross(q.a, q.b, q.a_from_b, search.last, q.filter, pair)) return search.found(pair);
   }
   return false;
 }
@@ -196,10 +220,10 @@ bool in_contact(const CollisionMesh& a, const CollisionMesh& b, const RigidTrans
   if (!is_finite(a_from_b)) return true;
   if (cache && cache->set && cache->triangle_a < query.a.triangles.size() &&
       cache->triangle_b < query.b.triangles.size()) {
-    Search again{query, nullptr};
+    Search again(query, nullptr);
     if (visit_search(&again, cache->triangle_a, &cache->triangle_b, 1, true)) return true;
   }
-  Search search{query, cache};
+  Search search(query, cache);
   if (visit_close_pairs(query.a.tree, query.b.tree, a_from_b, query.distance, visit_search,
                         &search)) {
     return true;

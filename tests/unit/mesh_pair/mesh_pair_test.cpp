@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <thread>
 
@@ -303,6 +304,25 @@ TEST(MeshPair, FarFromTheOriginAndInAnyUnit) {
       EXPECT_NEAR(surface_distance(a, b, placed(0.5), 10 * size), 0.5 * size, noise * size);
     }
   }
+}
+
+// The worst for a tree: thousands of triangles in the same place, and sizes from 1e-6 to 1e6.
+TEST(MeshPair, HeapsOfTrianglesAndAllSizes) {
+  Shape heap;
+  for (int i = 0; i < 3000; ++i) test::append(heap, test::box_shape({0.5f, 0.5f, 0.5f}));
+  Shape sizes;
+  for (int i = 0; i < 400; ++i) {
+    const auto size = static_cast<float>(std::pow(10.0, 6.0 - 0.03 * i));
+    test::append(sizes, test::sheet_shape(size, 1), {0, 0, size});
+  }
+  const CollisionMesh a = mesh_of(heap), b = mesh_of(sizes);
+  const CollisionMesh box = mesh_of(test::box_shape({0.25f, 0.25f, 0.25f}));
+  EXPECT_TRUE(in_contact(a, box, moved(0.6, 0.1, 0), 0));
+  EXPECT_FALSE(in_contact(a, box, moved(0.76, 0.1, 0), 0));
+  EXPECT_NEAR(surface_distance(a, box, moved(0.85, 0.1, 0), 1), 0.1, 1e-12);
+  EXPECT_TRUE(in_contact(b, box, moved(0, 0, 1), 0));
+  EXPECT_FALSE(in_contact(b, box, moved(0, 0, -0.26), 0));
+  EXPECT_NEAR(surface_distance(b, box, moved(0, 0, -1), 1), 0.75, 1e-4);
 }
 
 TEST(MeshPair, RefitMovesEverything) {
