@@ -2,6 +2,12 @@
 // The world as the planner sees it: one limb's rigid body parts (and what it carries) against all
 // other parts, at any (q, t) of a window. Fast and approximate where skin deforms; the final word
 // is SceneCollision's.
+//
+// A part is what moves as one over the window: a joint's skin with that of joints that keep still
+// to it (a fist), an object, a carried thing. Parts of the character itself may do to each other
+// what SceneCollision allows, and be as near as they are while the limb follows the clip. valid()
+// samples no clip: the world's placements are kept at 240 Hz and interpolated (frame_tracks.h
+// states the error, some tenths of a millimetre; it belongs into the clearance).
 #pragma once
 
 #include <memory>
@@ -15,10 +21,12 @@ class LimbPlanningSpace : public StateSpace {
  public:
   struct Settings {
     double clearance = 0;  // scene units, kept from everything that is not allowed
-    double margin = 0;     // scene units, added where skin is known to leave its rigid part
+    double margin = 0;  // scene units, added where one of the two is skin, which leaves its rigid
+                        // part; measure_skin_deviation (skin_deviation.h) tells by how much
   };
   // `at_init`, `at_goal`: the limb's states in the clip at the window's ends; the residual goes
-  // from one to the other by slerp (DESIGN.md, "Residual"). Keeps a reference to `scene`.
+  // from one to the other by slerp (DESIGN.md, "Residual"). Keeps a reference to `scene`,
+  // whose clip must be the one that is planned against; asking `scene` meanwhile is allowed.
   LimbPlanningSpace(const SceneCollision& scene, int limb, double t_init, double t_goal,
                     const LimbState& at_init, const LimbState& at_goal, const Settings& settings);
   ~LimbPlanningSpace() override;

@@ -18,7 +18,7 @@ using Data = SceneCollision::Data;
 // The clip is looked at this often, and at its keys, for contacts it has itself.
 constexpr double kClipRate = 120;  // Hz
 // Long clips are looked at more coarsely, so that building stays a matter of seconds.
-constexpr int kMostSamples = 4800;
+constexpr int kMostSamples = 2400;
 
 // The nearest ancestors of `joint` that some triangle of the character follows.
 std::vector<int> carriers_of(const Data& data, const Skeleton& skeleton, int joint) {
