@@ -18,7 +18,8 @@
 namespace elbowroom {
 
 struct SmoothingSettings {
-  EdgeResolution resolution{0.02, 1.0 / 240.0};
+  EdgeResolution resolution{0.02, 1.0 / 240.0};       // of the path that comes out
+  EdgeResolution trial_resolution{0.04, 1.0 / 90.0};  // of single steps; every few are confirmed
   std::int64_t max_attempts = 60;
   std::int64_t max_consecutive_failures = 20;  // "until valid replacements are difficult to find"
   // Least share of the sub-path's length that a replacement must save to be worth its test.
@@ -28,7 +29,7 @@ struct SmoothingSettings {
 };
 
 struct SmoothingResult {
-  bool cancelled = false;           // by the stop token; path is valid, as smooth as it came to be
+  bool cancelled = false;           // by the stop token; path is the last one confirmed
   std::string error;                // not empty: the path was none (times, sizes), and is untouched
   std::vector<Configuration> path;  // ends as given, bit for bit
   std::int64_t attempts = 0;        // give them as max_attempts to get the same bytes again
@@ -37,6 +38,7 @@ struct SmoothingResult {
   double milliseconds = 0;  // computing time; not part of what repeats
 };
 
+// The path given must be valid at `resolution` itself.
 SmoothingResult smooth_path(StateSpace& world, const std::vector<Configuration>& path,
                             const SmoothingSettings& settings, std::stop_token stop = {},
                             const ProgressSink& progress = {});
