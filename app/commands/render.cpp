@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstdio>
 
 #include "app/commands.h"
@@ -88,7 +89,9 @@ int run_render(const RenderOptions& options) {
   }
   if (acting >= 0) {
     request.limb = session->limbs[static_cast<std::size_t>(acting)].limb.joints;
-    request.caption += "   " + session->limbs[static_cast<std::size_t>(acting)].limb.name;
+    std::string limb = session->limbs[static_cast<std::size_t>(acting)].limb.name;
+    std::replace(limb.begin(), limb.end(), '_', ' ');
+    request.caption += "   " + limb;
   }
   request.rows.push_back(first);
   if (!options.compare_clip.empty()) {
