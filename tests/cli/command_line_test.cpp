@@ -157,6 +157,36 @@ TEST(Correct, InterruptedIs130AndLeavesNoHalfFile) {
   EXPECT_TRUE(listing(folder.path()).empty());
 }
 
+TEST(Correct, SameSeedGivesTheSameBytesAndAProjectSolvesToThem) {
+  const Folder folder;
+  // The scene beside the project, so that its relative paths are seen to work.
+  for (const char* file : {demo::kMannequinFile, demo::kUmbrellaFile, demo::kPostsFile})
+    std::filesystem::copy_file(kDemo / file, folder / file);
+  const std::string attach = (folder / demo::kAttachArgument).string();
+  const std::vector<std::string> scene = {
+      "--character", folder / demo::kMannequinFile, "--clip",   demo::kDemoClip,
+      "--obstacles", folder / demo::kPostsFile,     "--attach", attach};
+  const auto correct = [&](const std::string& out, const std::string& seed) {
+    std::vector<std::string> arguments = {"correct"};
+    arguments.insert(arguments.end(), scene.begin(), scene.end());
+    arguments.insert(arguments.end(), {"--limb", "right_arm", "--seed", seed, "-o", folder / out,
+                                       "--save-project", folder / (out + ".elbow")});
+    const auto result = run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  };
+  correct("a.glb", "7");
+  correct("b.glb", "7");
+  correct("c.glb", "8");
+  EXPECT_EQ(bytes_of(folder / "a.glb"), bytes_of(folder / "b.glb"));
+  EXPECT_NE(bytes_of(folder / "a.glb"), bytes_of(folder / "c.glb"));
+  const auto solved =
+      run({"solve", folder / "a.glb.elbow", "-o", folder / "d.glb", "--report", folder / "d.json"});
+  EXPECT_EQ(solved.exit_code, 0) << solved.out << solved.err;
+  EXPECT_EQ(bytes_of(folder / "a.glb"), bytes_of(folder / "d.glb"));
+  const auto checked = run({"check", folder / "a.glb.elbow"});
+  EXPECT_EQ(checked.exit_code, 4) << checked.out << checked.err;
+}
+
 TEST(Render, MakesAFilmstripWithoutADisplay) {
   const Folder folder;
   const auto result =
