@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -91,9 +92,10 @@ using DepthByParts = std::map<std::pair<int, int>, double>;
 // The patches the clip has in contact now. `last` holds how deep they were at the time looked at
 // before; between two looks the clip may be deeper than at either, by half their difference at the
 // slopes seen.
-void allow_from_clip(Data& data, TestPair& pair, DepthByParts& last) {
-  const DepthByParts before = std::move(last);
-  last.clear();
+void allow_from_clip(Data& data, TestPair& pair, std::optional<DepthByParts>& looked) {
+  const bool first = !looked;
+  const DepthByParts before = first ? DepthByParts{} : std::move(*looked);
+  DepthByParts& last = looked.emplace();
   const auto touching = contact_groups(data, pair, data.touching(), &pair.allowed->always);
   if (touching.empty() && before.empty()) return;
   std::set<std::pair<int, int>> parts;
@@ -108,7 +110,8 @@ void allow_from_clip(Data& data, TestPair& pair, DepthByParts& last) {
   };
   for (const auto& [key, now] : last) {
     const auto earlier = before.find(key);
-    deepen(key, now, earlier == before.end() ? 0.0 : earlier->second);
+    // Of what came before the first look nothing is known, nor asked.
+    deepen(key, now, first ? now : earlier == before.end() ? 0.0 : earlier->second);
   }
   for (const auto& [key, then] : before)
     if (!last.contains(key)) deepen(key, 0.0, then);
@@ -116,7 +119,7 @@ void allow_from_clip(Data& data, TestPair& pair, DepthByParts& last) {
   // that rests on a coat slides over it as it moves, and stays as shallow as the clip has it.
   const auto near = contact_groups(
       data, pair, std::max(data.settings.clearance, data.settings.touch_reach) * data.height,
-      &pair.allowed->always);
+      &pair.allowed->always, Depth::left_out);
   for (const ContactGroup& group : near)
     if (parts.contains({group.part_a, group.part_b}))
       for (const auto& [p, q] : group.patch_pairs) pair.allowed->allow(p, q, AllowedPatches::kClip);
@@ -188,13 +191,13 @@ void find_allowed_contacts(Data& data) {
                        a_is_child ? place[b] : place[a], shared, radius, !a_is_child,
                        *pair->allowed);
     for (const ContactGroup& group :
-         contact_groups(data, *pair, data.touching(), &pair->allowed->always))
+         contact_groups(data, *pair, data.touching(), &pair->allowed->always, Depth::left_out))
       for (const auto& [p, q] : group.patch_pairs)
         pair->allowed->allow(p, q, AllowedPatches::kBind);
   }
 
   // Over the clip.
-  std::map<std::pair<int, int>, DepthByParts> last;  // by bodies
+  std::map<std::pair<int, int>, std::optional<DepthByParts>> last;  // by bodies
   for (const double t : clip_times(data)) {
     data.pose(t, true);
     for (TestPair& pair : data.pairs_now().pairs)

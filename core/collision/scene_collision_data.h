@@ -136,9 +136,12 @@ struct ContactGroup {
   std::vector<std::pair<std::uint16_t, std::uint16_t>> patch_pairs;  // ascending, unique
   double depth = 0;
 };
-// With the bodies as they are posed. Depth is measured for groups that are not allowed, or by the
-// clip. `skip`: pairs of patches to pass over, or null.
+// With the bodies as they are posed. `skip`: pairs of patches to pass over, or null. With depth
+// measured, for groups that are not allowed or allowed by the clip, those deeper than the clip has
+// them lose their reason; without, patches alone decide.
+enum class Depth { measured, left_out };
 std::vector<ContactGroup> contact_groups(SceneCollision::Data& data, const TestPair& pair,
-                                         double distance, const std::vector<bool>* skip);
+                                         double distance, const std::vector<bool>* skip,
+                                         Depth depth = Depth::measured);
 
 }  // namespace elbowroom

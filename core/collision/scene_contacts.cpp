@@ -68,13 +68,14 @@ void excuse_by_source(Data& data, const TestPair& pair, double distance,
                       std::vector<ContactGroup>& groups) {
   std::vector<ContactGroup> touching_now;
   if (distance > data.touching())
-    touching_now = contact_groups(data, pair, data.touching(), nullptr);
+    touching_now = contact_groups(data, pair, data.touching(), nullptr, Depth::left_out);
   const double t = data.posed_at;
   data.pose(t, true);
   // What is near in the clip serves too, as in the scan, where the parts are in contact at all.
   const auto touching = contact_groups(data, pair, data.touching(), nullptr);
-  const auto near = contact_groups(
-      data, pair, std::max(distance, data.settings.clearance * data.height), nullptr);
+  const auto near =
+      contact_groups(data, pair, std::max(distance, data.settings.clearance * data.height), nullptr,
+                     Depth::left_out);
   for (ContactGroup& group : groups) {
     if (group.reason != 0) continue;
     const auto same = [&](const ContactGroup& other) { return same_parts(group, other); };
@@ -196,7 +197,7 @@ RigidTransform Data::a_from_b(const TestPair& pair) {
 }
 
 std::vector<ContactGroup> contact_groups(Data& data, const TestPair& pair, double distance,
-                                         const std::vector<bool>* skip) {
+                                         const std::vector<bool>* skip, Depth depth) {
   std::vector<ContactGroup> groups;
   const CollisionBody &a = data.placed(pair.a), &b = data.placed(pair.b);
   if (!a.box().within(b.box(), distance)) return groups;
@@ -236,7 +237,9 @@ std::vector<ContactGroup> contact_groups(Data& data, const TestPair& pair, doubl
     sort_unique(group.patches_a);
     sort_unique(group.patches_b);
     sort_unique(group.patch_pairs);
-    if (group.reason == AllowedPatches::kShared || group.reason == AllowedPatches::kBind) continue;
+    if (depth == Depth::left_out || group.reason == AllowedPatches::kShared ||
+        group.reason == AllowedPatches::kBind)
+      continue;
     group.depth = group.contained ? penetration_depth(a.mesh(), b.mesh(), a_from_b)
                                   : contact_depth(a, group.patches_a, b, group.patches_b);
     if (group.reason != AllowedPatches::kClip) continue;
