@@ -161,6 +161,18 @@ bool LimbPlanningSpace::Data::touches(int number, const FrameTracks::Cell& cell,
   const Vec3 apart = world_from_a * a.centre - world_from_b * b.centre;
   const double sum = a.radius + b.radius + state.distance;
   if (glm::dot(apart, apart) > sum * sum) return false;
+  // Long thin parts fill little of their spheres: each one's box against the other's sphere.
+  const auto beyond_box = [&](const Mat3& turned, const Vec3& half, double reach) {
+    double out2 = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double out = std::abs(glm::dot(turned[k], apart)) - half[k];
+      if (out > 0) out2 += out * out;
+    }
+    return out2 > reach * reach;
+  };
+  if (beyond_box(world_from_a.rotation, a.half, b.radius + state.distance) ||
+      beyond_box(world_from_b.rotation, b.half, a.radius + state.distance))
+    return false;
   const RigidTransform a_from_b = inverse(world_from_a) * world_from_b;
   bool hit = in_contact(*a.mesh, *b.mesh, a_from_b, state.distance, pair.filter, &state.cache);
   if (!hit && state.near_only) {

@@ -18,6 +18,7 @@ void bound(PlanningPart& part) {
   Vec3 low(positions[0]), high = low;
   for (const glm::vec3& p : positions) low = glm::min(low, Vec3(p)), high = glm::max(high, Vec3(p));
   part.centre = 0.5 * (low + high);
+  part.half = 0.5 * (high - low);
   for (const glm::vec3& p : positions)
     part.radius = std::max(part.radius, glm::distance(Vec3(p), part.centre));
 }

@@ -32,6 +32,7 @@ struct PlanningPart {
   std::vector<int> joined_to;
   Vec3 centre{0.0};  // bounding sphere, part frame
   double radius = 0;
+  Vec3 half{0.0};  // of the box about the same centre, along the part's axes
 };
 
 // True if the two lie about a joint they share: nothing between them is a contact.
