@@ -21,6 +21,7 @@ void try_post(const std::filesystem::path& file, const Model& model, const Limb&
   ASSERT_TRUE(write_post(post, folder / "post.glb"));
   ++tally.tried;
   const auto out = folder / "out.glb", report_file = folder / "report.json";
+  std::filesystem::remove(out);
   const ProgramRun run =
       run_program(kProgram, {"correct", "--character", file, "--clip", std::to_string(post.clip),
                              "--limb", limb.name, "--obstacles", folder / "post.glb", "-o", out,
