@@ -18,6 +18,7 @@ namespace {
 
 struct Box {
   float center[3], half[3];
+  float normal[3], middle, thickness;  // its slab
 };
 
 // What it takes to bring a box of the other tree into this tree's local frame.
@@ -109,8 +110,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Lanes = hn::CappedTag<float, BoxTree::kWidth>;
 using Vector = hn::Vec<Lanes>;
 
-// The six face normals only. The nine axes across pairs of edges, measured, save as much work below
-// as they cost here.
+// Eight axes: the six face normals, and the normals of the slabs of both sides. The nine axes
+// across pairs of edges, measured, save as much work below as they cost here.
 //
 // Bit i: the box of child i is not surely farther than `margin` from `box`. `bounds` gets a lower
 // bound of each child's distance with kBound; without, its largest gap along any face's normal:
@@ -126,6 +127,13 @@ HWY_INLINE std::uint32_t overlaps(const BoxTree::Node& node, const Frame& f, con
     reach[i] =
         f.abs_r[i][0] * box.half[0] + f.abs_r[i][1] * box.half[1] + f.abs_r[i][2] * box.half[2];
   }
+  // The slab of `box` in this frame.
+  float slab[3];
+  float slab_middle = box.middle;
+  for (int i = 0; i < 3; ++i) {
+    slab[i] = f.r[i][0] * box.normal[0] + f.r[i][1] * box.normal[1] + f.r[i][2] * box.normal[2];
+    slab_middle += slab[i] * f.t[i];
+  }
   std::uint32_t bits = 0;
   const int step = static_cast<int>(hn::Lanes(d));
   for (int first = 0; first < node.count; first += step) {
@@ -137,7 +145,17 @@ HWY_INLINE std::uint32_t overlaps(const BoxTree::Node& node, const Frame& f, con
     }
     const Vector limit = hn::Set(d, margin);
     // A separating axis must show itself: comparisons with NaN keep the pair.
-    const Vector widest = hn::Max(hn::Max(gap[0], gap[1]), gap[2]);
+    // The slab of `box` across all of these boxes.
+    const Vector slab_along =
+        hn::Add(hn::Add(hn::Mul(hn::Load(d, node.center[0] + first), hn::Set(d, slab[0])),
+                        hn::Mul(hn::Load(d, node.center[1] + first), hn::Set(d, slab[1]))),
+                hn::Mul(hn::Load(d, node.center[2] + first), hn::Set(d, slab[2])));
+    const Vector slab_span = hn::Add(hn::Add(hn::Mul(half[0], hn::Set(d, std::abs(slab[0]))),
+                                             hn::Mul(half[1], hn::Set(d, std::abs(slab[1])))),
+                                     hn::Mul(half[2], hn::Set(d, std::abs(slab[2]))));
+    const Vector slab_gap = hn::Sub(hn::Abs(hn::Sub(slab_along, hn::Set(d, slab_middle))),
+                                    hn::Add(slab_span, hn::Set(d, box.thickness)));
+    const Vector widest = hn::Max(hn::Max(gap[0], gap[1]), hn::Max(gap[2], slab_gap));
     auto apart = hn::Gt(widest, limit);
     if (!kBound && hn::AllTrue(d, apart)) continue;
     Vector other_gap[3];
@@ -150,7 +168,23 @@ HWY_INLINE std::uint32_t overlaps(const BoxTree::Node& node, const Frame& f, con
                                   hn::Mul(half[2], hn::Set(d, f.abs_r[2][j])));
       other_gap[j] = hn::Sub(hn::Abs(along), hn::Add(span, hn::Set(d, box.half[j])));
     }
-    const Vector widest_of_other = hn::Max(hn::Max(other_gap[0], other_gap[1]), other_gap[2]);
+    // `box` across each of their slabs.
+    const Vector n[3] = {hn::Load(d, node.normal[0] + first), hn::Load(d, node.normal[1] + first),
+                         hn::Load(d, node.normal[2] + first)};
+    Vector own_span = hn::Load(d, node.thickness + first);
+    for (int j = 0; j < 3; ++j) {
+      const Vector dot = hn::Add(
+          hn::Add(hn::Mul(n[0], hn::Set(d, f.r[0][j])), hn::Mul(n[1], hn::Set(d, f.r[1][j]))),
+          hn::Mul(n[2], hn::Set(d, f.r[2][j])));
+      own_span = hn::Add(own_span, hn::Mul(hn::Abs(dot), hn::Set(d, box.half[j])));
+    }
+    const Vector own_along =
+        hn::Add(hn::Add(hn::Mul(n[0], hn::Set(d, c[0])), hn::Mul(n[1], hn::Set(d, c[1]))),
+                hn::Mul(n[2], hn::Set(d, c[2])));
+    const Vector own_gap =
+        hn::Sub(hn::Abs(hn::Sub(own_along, hn::Load(d, node.middle + first))), own_span);
+    const Vector widest_of_other =
+        hn::Max(hn::Max(other_gap[0], other_gap[1]), hn::Max(other_gap[2], own_gap));
     apart = hn::Or(apart, hn::Gt(widest_of_other, limit));
     if constexpr (kBound) {
       const Vector zero = hn::Zero(d);
@@ -170,7 +204,9 @@ HWY_INLINE std::uint32_t overlaps(const BoxTree::Node& node, const Frame& f, con
                              axis->abs_there[2] * box.half[2];
       const Vector axis_gap = hn::Sub(hn::Abs(along), hn::Add(span, hn::Set(d, constant)));
       const Vector bound =
-          hn::Sub(hn::Max(hn::Sqrt(hn::Max(square[0], square[1])), axis_gap), hn::Set(d, slack));
+          hn::Sub(hn::Max(hn::Max(hn::Sqrt(hn::Max(square[0], square[1])), axis_gap),
+                          hn::Max(slab_gap, own_gap)),
+                  hn::Set(d, slack));
       hn::Store(bound, d, bounds + first);
       apart = hn::Or(apart, hn::Gt(bound, limit));
     } else {
@@ -196,7 +232,9 @@ HWY_INLINE void root_entry(const Pair& pair, Entry& entry) {
   for (int k = 0; k < 3; ++k) {
     entry.box.center[k] = other.root_center[k];
     entry.box.half[k] = other.root_half[k];
+    entry.box.normal[k] = 0;
   }
+  entry.box.middle = entry.box.thickness = 0;
   entry.size = entry.side == 0 ? size_b : size_a;
   entry.bound = 0;
 }
@@ -205,7 +243,10 @@ HWY_INLINE void child_box(const BoxTree::Node& node, int i, Box& box) {
   for (int k = 0; k < 3; ++k) {
     box.center[k] = node.center[k][i];
     box.half[k] = node.half[k][i];
+    box.normal[k] = node.normal[k][i];
   }
+  box.middle = node.middle[i];
+  box.thickness = node.thickness[i];
 }
 
 // The next test for child i of `node` against what `from` holds.

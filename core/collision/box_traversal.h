@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Dual traversal of two box trees, each in its own frame: which pairs of triangles may be at a
 // distance ≤ `distance`, or closest. One box of one tree meets the 16 boxes of a node of the other
-// at once (separating axes along the six face normals; Gottschalk, Lin and Manocha 1996), in float,
-// with Highway's run-time dispatch.
+// at once (separating axes: six face normals and the slabs' own; Gottschalk, Lin and Manocha 1996),
+// in float, with Highway's run-time dispatch.
 //
 // Conservative: a pair that is left out is farther apart than `distance`. Boxes are rounded
 // outwards and every bound is widened by more than the rounding of its evaluation, so the culling

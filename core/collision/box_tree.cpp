@@ -80,6 +80,62 @@ void place_origin(BoxTree& tree, std::span<const glm::vec3> positions,
   tree.upper = high - tree.origin;
 }
 
+using NormalSum = std::array<double, 6>;
+
+// Larger parts bend too much for a slab to help, and cost too much to measure at every refit.
+constexpr std::uint32_t kLargestSlab = 2048;
+
+Vec3 triangle_normal(std::span<const glm::vec3> positions, const glm::uvec3& t) {
+  const Vec3 a(positions[t.x]);
+  return glm::cross(Vec3(positions[t.y]) - a, Vec3(positions[t.z]) - a);
+}
+
+NormalSum normal_sum(const Vec3& n) {
+  const double length = glm::length(n);
+  if (!(length > 0)) return {};
+  const Vec3 u = n / length;
+  return {u.x * n.x, u.y * n.y, u.z * n.z, u.x * n.y, u.y * n.z, u.z * n.x};
+}
+
+// The direction most normals of the sum share, whatever their signs: a few steps of power
+// iteration. It need not be accurate: any direction gives a slab that holds.
+Vec3 common_normal(const NormalSum& m) {
+  Vec3 v(m[0] >= m[1] && m[0] >= m[2], m[1] > m[0] && m[1] >= m[2], m[2] > m[0] && m[2] > m[1]);
+  for (int i = 0; i < 6; ++i) {
+    const Vec3 next(m[0] * v.x + m[3] * v.y + m[5] * v.z, m[3] * v.x + m[1] * v.y + m[4] * v.z,
+                    m[5] * v.x + m[4] * v.y + m[2] * v.z);
+    const double length = glm::length(next);
+    if (!(length > 0)) return Vec3(0.0);
+    v = next / length;
+  }
+  return v;
+}
+
+// Slab of triangles [begin, end) of `order` across `normal`.
+void set_slab(BoxTree::Node& node, int slot, const BoxTree& tree, const Vec3& normal,
+              std::span<const std::uint32_t> some, std::span<const glm::vec3> positions,
+              std::span<const glm::uvec3> triangles) {
+  const glm::vec3 n(normal);
+  const Vec3 rounded(n);
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  if (normal != Vec3(0.0)) {
+    for (const std::uint32_t t : some) {
+      for (int k = 0; k < 3; ++k) {
+        const double h = glm::dot(rounded, Vec3(positions[triangles[t][k]]) - tree.origin);
+        low = std::min(low, h);
+        high = std::max(high, h);
+      }
+    }
+  } else {
+    low = high = 0;
+  }
+  const auto middle = static_cast<float>(0.5 * (low + high));
+  for (int k = 0; k < 3; ++k) node.normal[k][slot] = n[k];
+  node.middle[slot] = middle;
+  node.thickness[slot] =
+      up(std::max(high - static_cast<double>(middle), static_cast<double>(middle) - low));
+}
+
 class Builder {
  public:
   Builder(BoxTree& tree, std::vector<Bounds> bounds) : tree_(tree), bounds_(std::move(bounds)) {
@@ -87,7 +143,10 @@ class Builder {
     std::iota(order_.begin(), order_.end(), 0u);
   }
 
-  void run() { make_node(0, order_.size(), 0); }
+  void run() {
+    make_node(0, order_.size(), 0);
+    tree_.order = std::move(order_);
+  }
 
  private:
   struct Part {
@@ -185,6 +244,8 @@ class Builder {
   BoxTree::Ref make_node(std::size_t begin, std::size_t end, int depth) {
     const std::size_t index = tree_.nodes.size();
     tree_.nodes.emplace_back();
+    tree_.begin.push_back(static_cast<std::uint32_t>(begin));
+    tree_.end.push_back(static_cast<std::uint32_t>(end));
     std::vector<Part> parts = {part(begin, end)};
     while (parts.size() < BoxTree::kWidth) {
       // Parts that fit one leaf node are split last, so that leaf nodes come out full.
@@ -244,6 +305,7 @@ BoxTree build_box_tree(std::span<const glm::vec3> positions,
   tree.nodes.shrink_to_fit();
   tree.low.resize(tree.nodes.size());
   tree.high.resize(tree.nodes.size());
+  tree.normals.resize(tree.nodes.size());
   refit_box_tree(tree, positions, triangles);
   return tree;
 }
@@ -255,28 +317,44 @@ void refit_box_tree(BoxTree& tree, std::span<const glm::vec3> positions,
   for (std::size_t n = tree.nodes.size(); n-- > 0;) {
     BoxTree::Node& node = tree.nodes[n];
     Bounds all;
+    NormalSum all_normals{};
     for (int i = 0; i < BoxTree::kWidth; ++i) {
       if (i >= node.count) {
         for (int k = 0; k < 3; ++k) {
           node.center[k][i] = 0;
           node.half[k][i] = -1e30f;
+          node.normal[k][i] = 0;
         }
-        node.size[i] = 0;
+        node.size[i] = node.middle[i] = node.thickness[i] = 0;
         continue;
       }
       const BoxTree::Ref ref = node.child[i];
       Bounds b;
+      NormalSum normals;
       if (BoxTree::is_triangle(ref)) {
-        b = triangle_bounds(tree.origin, positions, triangles[BoxTree::triangle_of(ref)]);
+        const std::uint32_t t = BoxTree::triangle_of(ref);
+        b = triangle_bounds(tree.origin, positions, triangles[t]);
+        const Vec3 normal = triangle_normal(positions, triangles[t]);
+        normals = normal_sum(normal);
+        const double length = glm::length(normal);
+        set_slab(node, i, tree, length > 0 ? normal / length : Vec3(0.0), {&t, 1}, positions,
+                 triangles);
       } else {
-        b.low = tree.low[static_cast<std::size_t>(ref)];
-        b.high = tree.high[static_cast<std::size_t>(ref)];
+        const auto child = static_cast<std::size_t>(ref);
+        b.low = tree.low[child];
+        b.high = tree.high[child];
+        normals = tree.normals[child];
+        const std::uint32_t count = tree.end[child] - tree.begin[child];
+        set_slab(node, i, tree, count <= kLargestSlab ? common_normal(normals) : Vec3(0.0),
+                 std::span(tree.order).subspan(tree.begin[child], count), positions, triangles);
       }
       set_slot(node, i, b.low, b.high);
       all.add(b);
+      for (std::size_t k = 0; k < 6; ++k) all_normals[k] += normals[k];
     }
     tree.low[n] = all.low;
     tree.high[n] = all.high;
+    tree.normals[n] = all_normals;
   }
   set_center_half(tree.low[0], tree.high[0], tree.root_center, tree.root_half, 1);
 }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // A wide tree of axis-aligned boxes over the triangles of one mesh: 16 boxes a node, in float,
-// stored as centres and half extents so that 16 of them meet one box of another tree at once.
+// stored as centres and half extents so that 16 of them meet one box of another tree at once. Each
+// box has a slab besides, across the normal its triangles share most: a slanted patch of skin fills
+// its box poorly and its slab well, and a triangle's slab is its plane.
 //
 // Coordinates are relative to `origin` (the middle of the mesh), so that meshes far from the origin
 // lose nothing; boxes are rounded outwards, so a box always holds its triangles. Boxes are in the
-// mesh's own frame and its units. Memory: about 40 bytes a triangle.
+// mesh's own frame and its units. Memory: about 70 bytes a triangle.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
@@ -31,6 +34,10 @@ struct BoxTree {
     float half[3][kWidth];  // −1e30 in unused slots: apart from everything
     Ref child[kWidth];      // the used ones come first
     float size[kWidth];     // largest half extent: the larger of two boxes is opened first
+    // |normal · x − middle| ≤ thickness for all x in the slab; a unit normal, or 0 for no slab.
+    float normal[3][kWidth];
+    float middle[kWidth];
+    float thickness[kWidth];
     std::int32_t count = 0;
   };
 
@@ -39,7 +46,12 @@ struct BoxTree {
   std::vector<Node> nodes;      // root first, children after their parents; empty without triangles
   float root_center[3] = {0, 0, 0};
   float root_half[3] = {0, 0, 0};
-  std::vector<glm::vec3> low, high;  // of each node; kept for refit
+  // Kept for refit. Of each node: its box, and the sum of n·nᵀ/|n| over its triangles' normals n,
+  // as xx, yy, zz, xy, yz, zx.
+  std::vector<glm::vec3> low, high;
+  std::vector<std::array<double, 6>> normals;
+  // Triangles so that those of each node are [begin[node], end[node]).
+  std::vector<std::uint32_t> order, begin, end;
 
   bool empty() const { return nodes.empty(); }
   double radius() const { return 0.5 * glm::length(upper - lower); }

@@ -115,7 +115,7 @@ void run(const char* name, const Shape& limb, const Shape& body, int count, bool
         placements, 3, [&](const auto& t) { return surface_distance(*a, *b, t, 0.1) > 0.05; });
     std::printf(
         "  %-9s ours %.2f us, with 5 mm clearance %.2f, with cache %.2f; distance %.1f us\n",
-        is_free ? "free" : "colliding", ours, clear, cached, distance);
+        names[kind], ours, clear, cached, distance);
     if (!with_fcl) continue;
     const double obbrss =
         time_of(placements, rounds, [&](const auto& t) { return fcl_collides(*da, *db, t); });
