@@ -22,7 +22,7 @@ constexpr int kMostRefinements = 12;
 constexpr double kMostSpans = 50000;
 constexpr std::size_t kMostSuspects = 6;
 constexpr int kMostAttempts = 8;  // in one trial
-constexpr std::int64_t kConfirmEvery = 8;
+constexpr std::int64_t kConfirmEvery = 12;
 constexpr int kMostTakenBack = 3;
 
 enum class Followed { yes, no, stopped };

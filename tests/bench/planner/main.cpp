@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// elbowroom_bench [--seeds N] [--problem NAME] [--range R]: our planner beside OMPL RRTConnect +
-// FCL.
+// elbowroom_bench [--seeds N] [--problem NAME] [--range R] [--verbose]: our planner beside OMPL
+// RRTConnect + FCL.
 //
 // One thread, one run, one seed a row's sample. Both sides get the same parts, pairs, placements,
 // limits, speed limits and, in the row "like for like", edge resolution and (no) clearance; the row
@@ -30,6 +30,7 @@ struct Options {
   int seeds = 100;
   std::string problem;
   double range = 0.8;
+  bool verbose = false;
 };
 
 double quantile(std::vector<double> values, double share) {
@@ -183,6 +184,9 @@ Row run_ours(const Problem& p, const std::string& name, double clearance, bool a
     row.first_free += path_free(judge, found.path);
     row.smooth_free += path_free(judge, smooth.path);
     row.peak_jump.push_back(velocity_jump(p, smooth.path));
+    if (fitted.status != CurveStatus::solved && options.verbose) {
+      std::printf("  %s, seed %d: %s\n", name.c_str(), seed, fitted.reason.c_str());
+    }
     if (fitted.status == CurveStatus::solved) {
       ++row.curves;
       row.acceleration.push_back(fitted.peak_acceleration);
@@ -333,8 +337,11 @@ int main(int argc, char** argv) {
       options.problem = argv[++i];
     } else if (more && std::strcmp(argv[i], "--range") == 0) {
       options.range = std::atof(argv[++i]);
+    } else if (std::strcmp(argv[i], "--verbose") == 0) {
+      options.verbose = true;
     } else {
-      std::fprintf(stderr, "usage: elbowroom_bench [--seeds N] [--problem NAME] [--range R]\n");
+      std::fprintf(stderr,
+                   "usage: elbowroom_bench [--seeds N] [--problem NAME] [--range R] [--verbose]\n");
       return 1;
     }
   }
