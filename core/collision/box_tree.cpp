@@ -28,13 +28,14 @@ struct Bounds {
   }
 };
 
+// Rounding outwards by at least, and little more than, one unit in the last place.
 float down(double x) {
-  const float f = static_cast<float>(x);
-  return static_cast<double>(f) > x ? std::nextafter(f, -kInfinity) : f;
+  const auto f = static_cast<float>(x);
+  return f - std::abs(f) * 0x1.0p-23f - std::numeric_limits<float>::min();
 }
 float up(double x) {
-  const float f = static_cast<float>(x);
-  return static_cast<double>(f) < x ? std::nextafter(f, kInfinity) : f;
+  const auto f = static_cast<float>(x);
+  return f + std::abs(f) * 0x1.0p-23f + std::numeric_limits<float>::min();
 }
 
 // The triangle's box relative to the origin, rounded outwards.
@@ -90,18 +91,16 @@ Vec3 triangle_normal(std::span<const glm::vec3> positions, const glm::uvec3& t) 
   return glm::cross(Vec3(positions[t.y]) - a, Vec3(positions[t.z]) - a);
 }
 
-NormalSum normal_sum(const Vec3& n) {
-  const double length = glm::length(n);
-  if (!(length > 0)) return {};
-  const Vec3 u = n / length;
-  return {u.x * n.x, u.y * n.y, u.z * n.z, u.x * n.y, u.y * n.z, u.z * n.x};
+// `unit` is the direction of n.
+NormalSum normal_sum(const Vec3& n, const Vec3& unit) {
+  return {unit.x * n.x, unit.y * n.y, unit.z * n.z, unit.x * n.y, unit.y * n.z, unit.z * n.x};
 }
 
 // The direction most normals of the sum share, whatever their signs: a few steps of power
 // iteration. It need not be accurate: any direction gives a slab that holds.
 Vec3 common_normal(const NormalSum& m) {
   Vec3 v(m[0] >= m[1] && m[0] >= m[2], m[1] > m[0] && m[1] >= m[2], m[2] > m[0] && m[2] > m[1]);
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < 4; ++i) {
     const Vec3 next(m[0] * v.x + m[3] * v.y + m[5] * v.z, m[3] * v.x + m[1] * v.y + m[4] * v.z,
                     m[5] * v.x + m[4] * v.y + m[2] * v.z);
     const double length = glm::length(next);
@@ -117,14 +116,16 @@ void set_slab(BoxTree::Node& node, int slot, const BoxTree& tree, const Vec3& no
               std::span<const glm::uvec3> triangles) {
   const glm::vec3 n(normal);
   const Vec3 rounded(n);
+  const double base = glm::dot(rounded, tree.origin);
   double low = std::numeric_limits<double>::infinity(), high = -low;
   if (normal != Vec3(0.0)) {
     for (const std::uint32_t t : some) {
-      for (int k = 0; k < 3; ++k) {
-        const double h = glm::dot(rounded, Vec3(positions[triangles[t][k]]) - tree.origin);
-        low = std::min(low, h);
-        high = std::max(high, h);
-      }
+      const glm::uvec3& corners = triangles[t];
+      const double h0 = glm::dot(rounded, Vec3(positions[corners.x])) - base;
+      const double h1 = glm::dot(rounded, Vec3(positions[corners.y])) - base;
+      const double h2 = glm::dot(rounded, Vec3(positions[corners.z])) - base;
+      low = std::min(std::min(low, h0), std::min(h1, h2));
+      high = std::max(std::max(high, h0), std::max(h1, h2));
     }
   } else {
     low = high = 0;
@@ -335,10 +336,10 @@ void refit_box_tree(BoxTree& tree, std::span<const glm::vec3> positions,
         const std::uint32_t t = BoxTree::triangle_of(ref);
         b = triangle_bounds(tree.origin, positions, triangles[t]);
         const Vec3 normal = triangle_normal(positions, triangles[t]);
-        normals = normal_sum(normal);
-        const double length = glm::length(normal);
-        set_slab(node, i, tree, length > 0 ? normal / length : Vec3(0.0), {&t, 1}, positions,
-                 triangles);
+        const double square = glm::dot(normal, normal);
+        const Vec3 unit = square > 0 ? normal * (1 / std::sqrt(square)) : Vec3(0.0);
+        normals = normal_sum(normal, unit);
+        set_slab(node, i, tree, unit, {&t, 1}, positions, triangles);
       } else {
         const auto child = static_cast<std::size_t>(ref);
         b.low = tree.low[child];

@@ -14,6 +14,12 @@
 // lists for a containment are exactly these pairs. What is partly inside through allowed contacts
 // is judged by its contacts alone.
 //
+// What decides. Culling by boxes and slabs (box_traversal.h) leaves few pairs of triangles. Each is
+// settled by an exact predicate: measured, that costs less than the edges' rays about a contact,
+// and rays decide nothing where surfaces are near but do not cross. Embree's rays decide where they
+// look farther than a pair: inside or outside by parity (containment.h), and edge packets where
+// hundreds of near pairs have decided nothing (edge_rays.h). What rays report is confirmed.
+//
 // All functions: a transform that is not finite says nothing about the pair, so it counts as
 // contact (in_contact true, distance 0, no places). A negative or NaN distance counts as 0. Any
 // number of threads may ask about the same meshes, each with its own cache.
