@@ -34,6 +34,12 @@ Result<Session> open_session(const Document& document, const std::string& extra_
   if (!is_usual(extra_limb)) {
     auto limb = limb_by_name(session.scene.model(), session.character(), extra_limb);
     if (!limb) return limb.error();
+    // A contact is of one limb: those that share joints with the one named give way to it.
+    const Skeleton& skeleton = session.scene.model().skeleton;
+    std::erase_if(limbs, [&](const Limb& other) {
+      return skeleton.is_within(other.root, limb->root) ||
+             skeleton.is_within(limb->root, other.root);
+    });
     limbs.push_back(*limb);
   }
   for (const Limb& limb : limbs) {

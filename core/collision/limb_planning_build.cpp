@@ -151,7 +151,13 @@ void LimbPlanningSpace::Data::build_pairs() {
       PairState state;
       const bool skin = pieces[static_cast<std::size_t>(a)].deforms ||
                         pieces[static_cast<std::size_t>(b)].deforms;
-      state.distance = settings.clearance + (skin ? settings.margin : 0.0);
+      const auto own = [&](int part) {
+        const int body = pieces[static_cast<std::size_t>(part)].body;
+        return scene.roles[static_cast<std::size_t>(body)].own;
+      };
+      const bool within_body = settings.body_clearance >= 0 && own(a) && own(b);
+      state.distance = (within_body ? settings.body_clearance : settings.clearance) +
+                       (skin ? settings.margin : 0.0);
       pair_states.push_back(state);
     }
     return at->second;

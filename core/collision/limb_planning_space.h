@@ -23,6 +23,9 @@ class LimbPlanningSpace : public StateSpace {
     double clearance = 0;  // scene units, kept from everything that is not allowed
     double margin = 0;  // scene units, added where one of the two is skin, which leaves its rigid
                         // part; measure_skin_deviation (skin_deviation.h) tells by how much
+    // Kept between the limb and the rest of its own body, where less is natural (an upper arm
+    // hangs against its chest); negative: `clearance`.
+    double body_clearance = -1;
   };
   // `at_init`, `at_goal`: the limb's states in the clip at the window's ends; the residual goes
   // from one to the other by slerp (DESIGN.md, "Residual"). Keeps a reference to `scene`,

@@ -32,7 +32,8 @@ double ms_since(Clock::time_point start) {
 // One way of looking at the world while planning.
 struct Attempt {
   bool on_skin = false;
-  double clearance = 0;  // scene units
+  double clearance = 0;       // scene units
+  double body_clearance = 0;  // from the character itself; on the skin the smaller of the two holds
   double margin = 0;
   double near_share = 0;  // of samples near the clip's own motion
 };
@@ -191,6 +192,7 @@ bool plan_and_verify(Problem& p, const Attempt& attempt, const PlanningWishes& w
     LimbPlanningSpace::Settings settings;
     settings.clearance = attempt.clearance;
     settings.margin = attempt.margin;
+    settings.body_clearance = attempt.body_clearance;
     rigid = std::make_unique<LimbPlanningSpace>(*p.scene, p.limb_index, p.begin, p.end, p.at_init,
                                                 p.at_goal, settings);
     world = rigid.get();
@@ -292,9 +294,10 @@ bool try_once(Problem& p, const Attempt& attempt, const PlanningWishes& wishes, 
               const std::stop_token& stop, const ProgressSink& progress, Candidate& candidate) {
   const bool found = plan_and_verify(p, attempt, wishes, seed, stop, progress, candidate);
   char text[160];
-  std::snprintf(text, sizeof text, "%s, clearance %.3g, margin %.3g, %.0f %% near the clip: ",
+  std::snprintf(text, sizeof text,
+                "%s, clearance %.3g, from the body %.3g, margin %.3g, %.0f %% near the clip: ",
                 attempt.on_skin ? "deformed skin" : "rigid parts", attempt.clearance,
-                attempt.margin, 100 * attempt.near_share);
+                attempt.body_clearance, attempt.margin, 100 * attempt.near_share);
   WindowReport& report = candidate.report;
   report.attempts.push_back(text + (found ? "found and verified" : report.reason) +
                             (report.blocked_by.empty() ? "" : "; " + report.blocked_by));
@@ -376,9 +379,17 @@ WindowPlan plan_window(SceneCollision& scene, const std::shared_ptr<const Clip>&
   }
 
   const double skin = 0.01 * scene.height();
+  const double little = 0.1 * wanted;
+  // Where the animator has set sampling intervals, they alone say first where to search.
+  const double near_first = wishes.sampling.empty() ? 0.25 : 0.0;
   const std::vector<Attempt> attempts = {
-      {false, wanted, 0, 0.25}, {false, wanted, 0, 0.9},      {false, wanted, skin, 0.9},
-      {true, wanted, 0, 0.8},   {true, 0.3 * wanted, 0, 0.9}, {true, 2.0 * touching, 0, 0.9},
+      {false, wanted, wanted, 0, near_first},
+      {false, wanted, little, 0, 0.9},
+      {false, wanted, little, skin, 0.9},
+      {true, wanted, wanted, 0, 0.8},
+      {true, little, little, 0, 0.9},
+      {false, 2 * touching, 2 * touching, 0, 0.9},
+      {true, 2 * touching, 2 * touching, 0, 0.9},
   };
   std::optional<Candidate> best;
   Candidate failed;  // gathers the counts and the last reason
