@@ -18,7 +18,8 @@
 // settled by an exact predicate: measured, that costs less than the edges' rays about a contact,
 // and rays decide nothing where surfaces are near but do not cross. Embree's rays decide where they
 // look farther than a pair: inside or outside by parity (containment.h), and edge packets where
-// hundreds of near pairs have decided nothing (edge_rays.h). What rays report is confirmed.
+// hundreds of near pairs have decided nothing (edge_rays.h). An edge's hit is confirmed exactly; a
+// parity counts if two rays clear of all edges agree, else exact crossings are counted.
 //
 // All functions: a transform that is not finite says nothing about the pair, so it counts as
 // contact (in_contact true, distance 0, no places). A negative or NaN distance counts as 0. Any
