@@ -24,6 +24,9 @@ constexpr std::size_t kMostSuspects = 6;
 constexpr int kMostAttempts = 8;  // in one trial
 constexpr std::int64_t kConfirmEvery = 12;
 constexpr int kMostTakenBack = 3;
+constexpr int kMostNudges = 32;
+constexpr double kSmallestNudge = 0.004;  // rad
+constexpr double kNudgeGrowth = 1.1;      // to 0.08 rad
 
 enum class Followed { yes, no, stopped };
 
@@ -128,6 +131,16 @@ class Fit {
   }
 
  private:
+  // What is wrong with the curve: control points first ... last act on the place at fault, in spans
+  // first_span ... last_span.
+  struct Fault {
+    int first = 0, last = -1;
+    int first_span = 0, last_span = -1;
+    double time = 0;         // of the place
+    bool collision = false;  // or else a limit is broken
+    bool none() const { return last < first; }
+  };
+
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
   int count() const { return static_cast<int>(curve_.control.size()); }
   int fixed_at_begin() const { return query_.acceleration_init ? 3 : 2; }
@@ -228,7 +241,8 @@ class Fit {
   // wherever the minimum collides or breaks a limit. False, with the spans at fault marked, when
   // all that act on such a place are held already; or on a stop.
   bool hold_to_path(std::vector<bool>& bad) {
-    const std::vector<Dofs> on_path = offsets_;
+    std::vector<Dofs> on_path = offsets_;
+    Random random(settings_.seed);
     const int begin = fixed_at_begin(), end = count() - fixed_at_end();
     std::vector<bool> held(static_cast<std::size_t>(count()), true);
     std::fill(held.begin() + begin, held.begin() + end, false);
@@ -249,6 +263,13 @@ class Fit {
       }
       if (stop_.stop_requested()) return false;
       const int hold = nearest_free(held, fault);
+      if (hold < 0 && fault.collision && nudge(fault, d, random)) {
+        for (int i = fault.first; i <= fault.last; ++i) {
+          on_path[static_cast<std::size_t>(i)] = d[static_cast<std::size_t>(i)];
+        }
+        continue;
+      }
+      if (stop_.stop_requested()) return false;
       if (hold < 0) {
         char place[96];
         std::snprintf(place, sizeof place, "the curve %s at %.4f s",
@@ -262,6 +283,37 @@ class Fit {
       }
       held[static_cast<std::size_t>(hold)] = true;
     }
+  }
+
+  // Where even the path itself collides (its tests missed something thin, or its corner is cut
+  // there), a small common shift of the control points that act on the place often helps. True,
+  // with d shifted, if one was found.
+  bool nudge(const Fault& fault, std::vector<Dofs>& d, Random& random) {
+    if (fault.first < fixed_at_begin() || fault.last >= count() - fixed_at_end()) return false;
+    double size = kSmallestNudge;
+    for (int attempt = 0; attempt < kMostNudges; ++attempt, size *= kNudgeGrowth) {
+      Dofs shift;
+      shift.count = limits_.count();
+      double square = 0;
+      for (int a = 0; a < shift.count; ++a) {
+        shift[a] = random.uniform(-1, 1);
+        square += shift[a] * shift[a];
+      }
+      std::vector<Dofs> shifted = d;
+      for (int i = fault.first; i <= fault.last; ++i) {
+        for (int a = 0; a < shift.count; ++a) {
+          shifted[static_cast<std::size_t>(i)][a] += size * shift[a] / std::sqrt(square);
+        }
+      }
+      set_offsets(shifted, fault.first, fault.last);
+      if (find_fault(fault.first, fault.last, settings_.resolution).none()) {
+        d = std::move(shifted);
+        return true;
+      }
+      if (stop_.stop_requested()) break;
+    }
+    set_offsets(d, fault.first, fault.last);
+    return false;
   }
 
   // A curve tested at the resolution that is promised.
@@ -293,16 +345,6 @@ class Fit {
     // Where coarse tests keep missing something, steps are tested finely.
     if (++taken_back_ == kMostTakenBack) trial_resolution_ = settings_.resolution;
   }
-
-  // What is wrong with the curve: control points first ... last act on the place at fault, in spans
-  // first_span ... last_span.
-  struct Fault {
-    int first = 0, last = -1;
-    int first_span = 0, last_span = -1;
-    double time = 0;         // of the place
-    bool collision = false;  // or else a limit is broken
-    bool none() const { return last < first; }
-  };
 
   // The first thing wrong with control points first ... last and the curve they act on.
   Fault find_fault(int first, int last, const EdgeResolution& resolution) {
