@@ -22,6 +22,7 @@ constexpr double kVerifyRate = 240;  // Hz (DESIGN.md, "Results must meet")
 constexpr int kRandomTimes = 1000;
 constexpr double kLeastKeyRate = 60;     // Hz
 constexpr double kSpeedReserve = 1.05;   // over the clip's own peak speed, where that is the limit
+constexpr int kSeedsWithAPath = 2;       // for an attempt whose first path did not hold
 constexpr double kClearanceReach = 0.1;  // × height: farther obstacles are not measured
 
 using Clock = std::chrono::steady_clock;
@@ -58,6 +59,7 @@ struct Candidate {
   std::shared_ptr<const Clip> clip;
   WindowReport report;
   double cost = 0;
+  bool planned = false;  // a path was found, whatever became of it
 };
 
 std::string at_time(double t) {
@@ -111,7 +113,12 @@ std::string verify(Problem& p, const std::shared_ptr<const Clip>& clip,
   for (const auto& actor : scene.world().actors)
     if (actor.clip)
       for (const double t : step_times(*actor.clip)) steps.push_back(t);
-  const auto times = verification_times(p.begin, p.end, keys, steps, seed);
+  // Every key of the clip, of whatever joint: where the body turns a corner.
+  std::vector<float> all_keys = keys;
+  for (const Channel& channel : clip->channels)
+    for (const float t : channel.times)
+      if (t > p.begin && t < p.end) all_keys.push_back(t);
+  const auto times = verification_times(p.begin, p.end, all_keys, steps, seed);
   for (const double t : times) {
     if (stop.stop_requested()) return "cancelled";
     if (scene.limb_in_contact(t, p.limb_index, touching)) {
@@ -228,6 +235,7 @@ bool plan_and_verify(Problem& p, const Attempt& attempt, const PlanningWishes& w
     return false;
   }
 
+  candidate.planned = true;
   const auto smooth_start = Clock::now();
   SmoothingSettings smoothing;
   smoothing.seed = seed;
@@ -395,7 +403,9 @@ WindowPlan plan_window(SceneCollision& scene, const std::shared_ptr<const Clip>&
   Candidate failed;  // gathers the counts and the last reason
   failed.report = report;
   for (std::size_t k = 0; k < attempts.size() && !best; ++k) {
-    for (int alternative = 0; alternative < std::max(1, wishes.alternatives); ++alternative) {
+    // A path whose curve or keys did not hold is worth another one.
+    int tries = std::max(1, wishes.alternatives);
+    for (int alternative = 0; alternative < tries; ++alternative) {
       if (stop.stop_requested()) break;
       Candidate candidate;
       candidate.report = failed.report;
@@ -403,6 +413,8 @@ WindowPlan plan_window(SceneCollision& scene, const std::shared_ptr<const Clip>&
           wishes.seed + 1000003ull * k + 7919ull * static_cast<std::uint64_t>(alternative);
       if (try_once(p, attempts[k], wishes, seed, stop, progress, candidate)) {
         if (!best || candidate.cost < best->cost) best = candidate;
+      } else if (candidate.planned && !best && alternative == 0) {
+        tries = std::max(tries, kSeedsWithAPath);
       }
       // What an attempt cost is part of the whole, whether or not it is taken.
       const WindowReport& spent = candidate.report;
