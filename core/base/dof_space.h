@@ -28,9 +28,9 @@ enum class DofRole { swing, twist, flexion, secondary_swing };
 struct Dof {
   std::string name;  // anatomical, for people: "Elbow, flexion"
   DofRole role = DofRole::swing;
-  double lower = 0, upper = 0;                    // limit
-  double sample_lower = 0, sample_upper = 0;      // sampling interval, inside the limit
-  double speed_limit = 0;                         // |dq/dt|, rad/s
+  double lower = 0, upper = 0;                // limit
+  double sample_lower = 0, sample_upper = 0;  // sampling interval, inside the limit
+  double speed_limit = 0;                     // |dq/dt|, rad/s
 };
 
 // (q[first]/half_first)² + (q[second]/half_second)² ≤ 1: the spherical ellipse of a swing

@@ -27,7 +27,8 @@ inline Quat quat_from_rotation_vector(const Vec3& v) {
   return glm::normalize(Quat(std::cos(half), k * v.x, k * v.y, k * v.z));
 }
 
-// Rotation vector of a unit quaternion, length in [0, pi]: of the two signs the nearer one is taken.
+// Rotation vector of a unit quaternion, length in [0, pi]: of the two signs the nearer one is
+// taken.
 inline Vec3 rotation_vector_from_quat(Quat q) {
   if (q.w < 0) q = Quat(-q.w, -q.x, -q.y, -q.z);
   const Vec3 axis(q.x, q.y, q.z);

@@ -9,8 +9,8 @@
 namespace elbowroom {
 
 struct Progress {
-  std::string phase;      // "planning", "verifying", ...
-  double fraction = 0;    // [0, 1], -1 if unknown
+  std::string phase;    // "planning", "verifying", ...
+  double fraction = 0;  // [0, 1], -1 if unknown
 };
 
 using ProgressSink = std::function<void(const Progress&)>;
