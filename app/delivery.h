@@ -6,8 +6,8 @@
 #include <stop_token>
 #include <string>
 
-#include "app/session.h"
 #include "core/editing/correct.h"
+#include "core/editing/session.h"
 
 namespace elbowroom {
 

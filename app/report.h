@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <string>
 
-#include "app/session.h"
 #include "core/base/result.h"
 #include "core/editing/correct.h"
+#include "core/editing/session.h"
 
 namespace elbowroom {
 

@@ -34,7 +34,7 @@ int run_correct(const CorrectOptions& options, std::stop_token stop) {
     print_error(document.error());
     return options.scene.project.empty() ? kExitUsage : kExitBadInput;
   }
-  CorrectTask task;
+  Task task;
   task.name = "correct " + options.limb;
   task.limb = options.limb;
   const auto window = parse_window(options.window);

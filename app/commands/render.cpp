@@ -4,8 +4,8 @@
 
 #include "app/commands.h"
 #include "app/exit_codes.h"
-#include "app/session.h"
 #include "app/terminal.h"
+#include "core/editing/session.h"
 #include "render/filmstrip.h"
 
 namespace elbowroom {

@@ -50,7 +50,7 @@ bool CorrectionOutcome::cancelled() const {
 }
 
 Result<CorrectionOutcome> correct(SceneCollision& scene, const std::vector<int>& limbs,
-                                  const CorrectTask& task, std::stop_token stop,
+                                  const Task& task, std::stop_token stop,
                                   const ProgressSink& progress) {
   const auto index = static_cast<std::size_t>(scene.actor());
   const std::shared_ptr<const Clip> source = scene.world().actors[index].clip;

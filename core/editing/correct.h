@@ -73,7 +73,7 @@ std::vector<ProposedWindow> propose_windows(SceneCollision& scene, int limb,
 // the outcome's clip afterwards.
 // Errors: no clip; a sampling interval for a DOF that no limb has.
 Result<CorrectionOutcome> correct(SceneCollision& scene, const std::vector<int>& limbs,
-                                  const CorrectTask& task, std::stop_token stop = {},
+                                  const Task& task, std::stop_token stop = {},
                                   const ProgressSink& progress = {});
 
 // The clip with corrections laid over it, in order; muted ones are passed over. Error: keys that

@@ -32,10 +32,27 @@ struct PlanningWishes {
   std::map<std::string, Interval> sampling;  // by DOF name, radians; others: the limb's default
 };
 
-struct CorrectTask {
+// Where the end of a limb shall be at a time [SKF07 5]: the wrist's (ankle's) own origin, in the
+// world, scene units.
+struct HandTarget {
+  double time = 0;  // seconds
+  Vec3 position{0.0};
+  std::optional<Quat> orientation;  // world_from_joint rotation of the end joint; none: free
+  bool grasp = false;               // position and orientation are the palm's grasp frame's instead
+};
+
+enum class TaskKind {
+  correct,  // around what the limb collides with [SKF07 6.1]
+  reach,    // to a target and back, around what is in the way [SKF07 6.2]
+};
+const char* task_kind_id(TaskKind kind);  // as in the project file
+
+struct Task {
+  TaskKind kind = TaskKind::correct;
   std::string name;
-  std::string limb = "auto";       // LIMB as on the command line
-  std::optional<Interval> window;  // seconds; none: auto
+  std::string limb = "auto";         // LIMB as on the command line; a reach names one
+  std::optional<Interval> window;    // seconds; none: auto
+  std::optional<HandTarget> target;  // of a reach
   PlanningWishes wishes;
 };
 
@@ -48,6 +65,7 @@ struct JointKeys {
 
 struct Correction {
   std::string name;
+  std::string task;          // name of the task it came of; empty: of none that is kept
   std::string limb;          // limb_id, or FROM..TO
   float begin = 0, end = 0;  // the window, seconds, float32 as exported
   bool muted = false;
@@ -55,9 +73,18 @@ struct Correction {
   std::vector<JointKeys> joints;
 };
 
+// What the animator is preparing: the next task, not yet asked for.
+struct Draft {
+  std::string limb;                              // name; empty: none chosen
+  std::optional<Interval> window;                // seconds
+  std::optional<HandTarget> target;              // set: the next task is a reach
+  std::map<std::string, PlanningWishes> wishes;  // by limb name
+};
+
 struct Document {
   SceneDescription scene;
-  std::vector<CorrectTask> tasks;
+  Draft draft;
+  std::vector<Task> tasks;
   std::vector<Correction> corrections;  // in order: later ones lie over earlier ones
 };
 

@@ -151,7 +151,7 @@ Document document_of(const Json& root, const std::filesystem::path& folder) {
       const std::string kind = text_of(member(item, "kind", where), where + "/kind");
       if (kind != "correct")
         throw Damage{where + "/kind", "this version knows no task \"" + kind + "\""};
-      CorrectTask task;
+      Task task;
       if (item.contains("name")) task.name = text_of(item["name"], where + "/name");
       if (item.contains("limb")) task.limb = text_of(item["limb"], where + "/limb");
       if (item.contains("window") && item["window"] != "auto") {

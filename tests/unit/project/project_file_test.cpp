@@ -42,13 +42,13 @@ Document full_document(const std::filesystem::path& folder) {
   attached.joint_from_object.translation = {0.1, 1.0 / 3.0, -2e-17};
   attached.joint_from_object.rotation = glm::normalize(Quat(0.9, 0.1, 0.2, 0.3));
   document.scene.attachments = {attached};
-  CorrectTask task;
+  Task task;
   task.name = "past the post";
   task.limb = "right_arm";
   task.window = Interval{1.2, 2.05};
   task.wishes.seed = 18446744073709551615ull;
   task.wishes.sampling["Elbow, flexion"] = {0.5, 2.0};
-  document.tasks = {task, CorrectTask{}};
+  document.tasks = {task, Task{}};
   Correction correction;
   correction.name = "right_arm 1";
   correction.limb = "right_arm";

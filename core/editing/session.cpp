@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/session.h"
+#include "core/editing/session.h"
 
 #include <algorithm>
 
