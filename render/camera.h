@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/math.h"
+#include "core/base/ray.h"
 #include "render/bounds.h"
 
 namespace elbowroom {
@@ -57,5 +58,10 @@ Camera framed(const Camera& camera, const Bounds& bounds, double aspect, double 
 // Position in the picture, x to the right and y down, both [0, 1], z the distance along the view;
 // z ≤ 0 is behind the eye.
 Vec3 project(const Camera& camera, double aspect, const Vec3& point);
+
+// The ray of all points that project() takes to (x, y); unit direction. In perspective it begins at
+// the eye; in ortho, where a picture shows what is behind the eye too, 10,000 distances before it.
+// Positions that are not finite count as the picture's middle.
+WorldRay pick_ray(const Camera& camera, double aspect, double x, double y);
 
 }  // namespace elbowroom
