@@ -23,6 +23,8 @@ struct Camera {
   double field_of_view = 0.5;  // vertical, perspective and ortho show the same at the focus
   bool orthographic = false;
 
+  bool operator==(const Camera&) const = default;
+
   Vec3 backward() const;  // unit, from the focus to the eye
   Vec3 right() const;     // unit, the picture's x
   Vec3 up() const;        // unit, the picture's y

@@ -188,8 +188,7 @@ void SceneFrame::add_contacts(const EditorState& state, const ViewState& view) {
   }
 }
 
-const Trail& SceneFrame::trail_of(const EditorState& state, KeptTrail& kept,
-                                  const std::shared_ptr<const Clip>& clip,
+const Trail& SceneFrame::trail_of(KeptTrail& kept, const std::shared_ptr<const Clip>& clip,
                                   const CollisionStrip* strip, int limb, double begin, double end,
                                   Rgb colour, bool dashed) {
   const TrailKey key{clip.get(), strip, limb, begin, end};
@@ -230,11 +229,11 @@ void SceneFrame::add_trails(const EditorState& state) {
   } else {
     return;
   }
-  frame_.trails.push_back(trail_of(state, source_trail_, state.clip, state.strip.get(), state.limb,
-                                   begin, end, 0x9aa3b2, true));
+  frame_.trails.push_back(trail_of(source_trail_, state.clip, state.strip.get(), state.limb, begin,
+                                   end, 0x9aa3b2, true));
   if (state.candidate && state.candidate->report.limb == state.limb)
-    frame_.trails.push_back(trail_of(state, shown_trail_, state.candidate->clip, nullptr,
-                                     state.limb, begin, end, kStyle.good, false));
+    frame_.trails.push_back(trail_of(shown_trail_, state.candidate->clip, nullptr, state.limb,
+                                     begin, end, kStyle.good, false));
 }
 
 std::vector<Vec3> SceneFrame::points_of_figure(const EditorState& state) const {

@@ -56,7 +56,7 @@ class SceneFrame {
     TrailKey key;
     Trail trail;
   };
-  const Trail& trail_of(const EditorState& state, KeptTrail& kept,
+  const Trail& trail_of(KeptTrail& kept,
                         const std::shared_ptr<const Clip>& clip, const CollisionStrip* strip,
                         int limb, double begin, double end, Rgb colour, bool dashed);
 

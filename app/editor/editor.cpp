@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <type_traits>
 
-#include "core/anatomy/limb_motion.h"
+#include "core/anatomy/limb_clip.h"
 #include "core/editing/motion.h"
 
 namespace elbowroom {

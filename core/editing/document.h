@@ -38,9 +38,10 @@ struct PlanningWishes {
 // world, scene units.
 struct HandTarget {
   double time = 0;  // seconds
-  Vec3 position { 0.0 bool operator==(const HandTarget&) const = default; };
+  Vec3 position{0.0};
   std::optional<Quat> orientation;  // world_from_joint rotation of the end joint; none: free
   bool grasp = false;               // position and orientation are the palm's grasp frame's instead
+  bool operator==(const HandTarget&) const = default;
 };
 
 enum class TaskKind {

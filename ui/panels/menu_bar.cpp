@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The bar at the top: the program's name, the menus, what is open, undo and redo at hand.
+#include <algorithm>
+#include <cmath>
+
 #include "ui/actions.h"
 #include "ui/panels/panel.h"
 #include "ui/toolkit/buttons.h"
@@ -39,26 +42,43 @@ void draw_menu(const PanelContext& context, std::string_view menu) {
   }
 }
 
-}  // namespace
-
-void draw_menu_bar(const PanelContext& context, const Rect& rect) {
+// The menus in a window of their own: Dear ImGui has a menu bar only at a window's top.
+void draw_menus(const PanelContext& context, const Rect& rect) {
   Ui& ui = context.ui;
-  const Panel panel(ui, "Menu", rect, {PanelGround::panel, false, false});
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float pad = ui.px(ui.theme().metrics.padding);
-  ImFont* bold = ui.fonts().semibold;
-  draw_text(list, bold, {rect.min.x + pad, middle(rect.min.y, rect.height(), bold)},
-            ui.colour(Tone::text), "Elbowroom");
-  // The menus, in a window menu bar of their own beside the name.
-  const float name = size_of(bold, "Elbowroom").x + 2 * pad;
-  ImGui::SetCursorScreenPos({rect.min.x + name, rect.min.y});
-  menu_strip(ui, rect, name, [&] {
+  ImGui::SetNextWindowPos(rect.min);
+  ImGui::SetNextWindowSize({rect.width(), rect.height()});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+  const float air = std::floor(0.5f * (rect.height() - ui.fonts().regular->FontSize));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(8), std::max(1.0f, air)});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(16), ui.px(6)});
+  ImGui::PushStyleColor(ImGuiCol_MenuBarBg, 0);
+  ImGui::Begin("Menus", nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_MenuBar);
+  if (ImGui::BeginMenuBar()) {
     for (const std::string_view menu : menus())
       if (begin_menu(ui, menu)) {
         draw_menu(context, menu);
         end_menu(ui);
       }
-  });
+    ImGui::EndMenuBar();
+  }
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(5);
+}
+
+void draw_bar(const PanelContext& context, const Rect& rect) {
+  Ui& ui = context.ui;
+  const float pad = ui.px(ui.theme().metrics.padding);
+  const Panel panel(ui, "Menu", rect, {PanelGround::panel, false, false});
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImFont* bold = ui.fonts().semibold;
+  draw_text(list, bold, {rect.min.x + pad, middle(rect.min.y, rect.height(), bold)},
+            ui.colour(Tone::text), "Elbowroom");
   // What is open, in the middle.
   if (context.state.open()) {
     ImFont* font = ui.fonts().regular;
@@ -90,6 +110,17 @@ void draw_menu_bar(const PanelContext& context, const Rect& rect) {
   const std::string redo_hint = "Redo " + context.state.redo_name;
   redo.hint = redo_hint;
   if (icon_button(ui, "Redo", Icon::redo, redo)) context.emit(command::Redo{});
+}
+
+}  // namespace
+
+void draw_menu_bar(const PanelContext& context, const Rect& rect) {
+  const Ui& ui = context.ui;
+  const float name =
+      size_of(ui.fonts().semibold, "Elbowroom").x + 2 * ui.px(ui.theme().metrics.padding);
+  draw_bar(context, rect);
+  draw_menus(context,
+             {{rect.min.x + name, rect.min.y}, {rect.min.x + 0.42f * rect.width(), rect.max.y}});
 }
 
 }  // namespace elbowroom

@@ -131,7 +131,9 @@ Panel::Window::Window(Ui& ui, std::string_view name, const Rect& place,
   if (!options.padded) ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, options.ground == PanelGround::panel    ? p.panel
                                            : options.ground == PanelGround::raised ? p.raised
-                                                                                   : p.ground);
+                                           : options.ground == PanelGround::none
+                                               ? with_opacity(p.ground, 0)
+                                               : p.ground);
   ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                            ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                            ImGuiWindowFlags_NoSavedSettings |

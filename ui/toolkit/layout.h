@@ -10,7 +10,7 @@
 
 namespace elbowroom {
 
-enum class PanelGround { panel, ground, raised };
+enum class PanelGround { panel, ground, raised, none };  // none: what lies below shows
 struct PanelOptions {
   PanelGround ground = PanelGround::panel;
   bool padded = true;
