@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "core/ik/limit_excess.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace elbowroom {
+namespace {
+
+double share(double value, double half) {
+  if (half > 0) return std::abs(value) / half;
+  return value == 0 ? 0.0 : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+LimitExcess limit_excess(const DofSpace& space, const Dofs& q) {
+  LimitExcess worst{-std::numeric_limits<double>::infinity(), -1};
+  const auto note = [&](double excess, int dof) {
+    if (std::isnan(excess)) excess = std::numeric_limits<double>::infinity();
+    if (excess > worst.radians) worst = {excess, dof};
+  };
+  for (int i = 0; i < q.count; ++i) {
+    const Dof& dof = space.dofs[static_cast<std::size_t>(i)];
+    note(std::isnan(q[i]) ? q[i] : std::max(dof.lower - q[i], q[i] - dof.upper), i);
+  }
+  for (const EllipseLimit& ellipse : space.ellipses) {
+    const double a = share(q[ellipse.first], ellipse.half_first);
+    const double b = share(q[ellipse.second], ellipse.half_second);
+    const double ratio = std::hypot(a, b);
+    const double length = std::hypot(q[ellipse.first], q[ellipse.second]);
+    // At the middle there is no ray: the nearer half-axis is the distance.
+    const double excess = ratio > 1e-9 ? length * (1 - 1 / ratio)
+                                       : -std::min(ellipse.half_first, ellipse.half_second);
+    note(excess, a >= b ? ellipse.first : ellipse.second);
+  }
+  return worst;
+}
+
+Dofs clamp_to_limits(const DofSpace& space, Dofs q) {
+  for (int i = 0; i < q.count; ++i) {
+    const Dof& dof = space.dofs[static_cast<std::size_t>(i)];
+    if (std::isnan(q[i])) q[i] = 0.5 * (dof.lower + dof.upper);
+    q[i] = std::max(dof.lower, std::min(dof.upper, q[i]));
+  }
+  for (const EllipseLimit& ellipse : space.ellipses) {
+    // Towards zero into the ellipse may lead out of a range that does not hold zero, and back.
+    for (int round = 0; round < 200; ++round) {
+      const double ratio = std::hypot(share(q[ellipse.first], ellipse.half_first),
+                                      share(q[ellipse.second], ellipse.half_second));
+      if (!(ratio > 1)) break;
+      const double shrink = std::isfinite(ratio) ? (1 - 1e-12) / ratio : 0.0;
+      for (const int i : {ellipse.first, ellipse.second}) {
+        const Dof& dof = space.dofs[static_cast<std::size_t>(i)];
+        q[i] = std::max(dof.lower, std::min(dof.upper, q[i] * shrink));
+      }
+    }
+  }
+  return q;
+}
+
+}  // namespace elbowroom

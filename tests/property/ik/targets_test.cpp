@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// [SKF07 5] on real characters, arms and legs: targets that postures within limits reach are
+// reached, limits and obstacles kept, and what is not solved no scan of the swivel solves.
+#include <gtest/gtest.h>
+
+#include "tests/property/ik/targets.h"
+#include "tests/support/samples.h"
+
+namespace elbowroom {
+namespace {
+
+constexpr int kTargets = 400;  // for each limb; the long tier has 100,000 for each rig
+
+void expect_good(const test::TargetCounts& counts, const std::string& name) {
+  std::printf("%-40s %s\n", name.c_str(), test::summary(counts).c_str());
+  EXPECT_EQ(counts.problems(), 0) << name << ", " << counts.first_problem;
+}
+
+TEST(IkOnSamples, ReachesWhatCanBeReached) {
+  if (test::samples_dir().empty()) GTEST_SKIP() << test::samples_missing();
+  int rigs = 0;
+  for (const auto& file : test::sample_humanoids()) {
+    const auto rig = test::read_rig(file);
+    if (rig.limbs.empty()) continue;
+    ++rigs;
+    expect_good(test::try_targets(rig, kTargets, 1), file.filename().string());
+  }
+  EXPECT_GE(rigs, 12);
+}
+
+TEST(IkOnSamples, IsTheSameMirroredScaledAndTurned) {
+  if (test::samples_dir().empty()) GTEST_SKIP() << test::samples_missing();
+  auto rig = test::read_rig(test::samples_dir() / "humanoids/kaykit/Knight.glb");
+  ASSERT_FALSE(rig.limbs.empty());
+  Mat4 mirrored(1.0), scaled(100.0),
+      turned = glm::mat4_cast(glm::angleAxis(2.1, glm::normalize(Vec3(1, 2, -0.5))));
+  mirrored[0][0] = -1;
+  scaled[3] = glm::dvec4(1000, -50, 3, 1);
+  for (const Mat4& placed : {mirrored, scaled, turned, turned * mirrored * scaled}) {
+    rig.world_from_file = placed;
+    expect_good(test::try_targets(rig, kTargets, 2), "Knight.glb, placed anew");
+  }
+}
+
+}  // namespace
+}  // namespace elbowroom
