@@ -12,8 +12,9 @@ namespace elbowroom {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kVariants = 4;      // of what a target leaves open, over its limits
-constexpr int kRefineSteps = 40;  // of bisection and of golden sections
+constexpr int kVariants = 4;       // of what a target leaves open, over its limits
+constexpr int kVariantCoarse = 4;  // their grid of swivels is coarser by this
+constexpr int kRefineSteps = 40;   // of bisection and of golden sections
 constexpr int kMaxGreedySteps = 400;
 
 // Of the numbers that stand for one rotation those that keep the limits, if some do.

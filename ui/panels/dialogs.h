@@ -3,7 +3,6 @@
 #pragma once
 
 #include "ui/panels/panel.h"
-#include "ui/toolkit/file_dialog.h"
 
 namespace elbowroom {
 
@@ -13,11 +12,11 @@ class Dialogs {
   void draw(const PanelContext& context);
 
  private:
+  void open_files(const PanelContext& context);
   void files(const PanelContext& context);
   void shortcuts(const PanelContext& context);
   void unsaved(const PanelContext& context);
 
-  FileDialog file_dialog_;
   Dialog shown_ = Dialog::none;
   bool quit_after_saving_ = false;
 };
