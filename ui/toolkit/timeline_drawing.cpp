@@ -207,7 +207,7 @@ void draw_timeline(Ui& ui, const TimelineModel& model, const TimelineLayout& lay
                        p.dark ? groove : p.ground, ui.px(3));
   }
   const auto ticks = ticks_of(scale, layout.clip.from, model.frame_rate, model.show_frames,
-                              ui.px(72));
+                              ui.px(84));
   list.PushClipRect({left, layout.all.min.y}, {right, bottom}, true);
   const float floor = layout.ruler.max.y;
   for (const Tick& tick : ticks) {
@@ -219,14 +219,16 @@ void draw_timeline(Ui& ui, const TimelineModel& model, const TimelineLayout& lay
     list.AddRectFilled({x, floor - ui.px(tick.major ? 7 : 4)}, {x + 1, floor},
                        mixed(p.line, p.text, tick.major ? 0.3f : 0.12f));
   }
-  // Keys: at most one tick a pixel.
+  // Keys: ticks, or a line where they stand too close to be told apart.
   float last = -1e9f;
   for (const double time : model.key_times) {
     if (!std::isfinite(time)) continue;
     const float x = std::round(scale.x_of(time));
     if (x == last || x < left || x > right) continue;
+    const bool close = x > last && x - last < ui.px(6);
+    list.AddRectFilled({close ? last : x, floor - (close ? 1 : ui.px(3))}, {x + 1, floor},
+                       with_opacity(p.ghost, close ? 0.45f : 1.0f));
     last = x;
-    list.AddRectFilled({x, floor - ui.px(2)}, {x + ui.px(1), floor}, p.ghost);
   }
   list.AddRectFilled({left, floor}, {right, floor + 1}, p.line);
 

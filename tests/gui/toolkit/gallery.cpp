@@ -71,11 +71,8 @@ void inspector(Ui& ui, Gallery& g) {
   tabs(ui, "Pages", {"Limb", "Target", "Planner", "Object"}, g.tab);
   space(ui, 2);
   title(ui, "Right arm", "shoulder · elbow · wrist");
-  static_assert(sizeof(Gallery) > 0);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  heading(ui, "Sampling intervals");
-  ImGui::SetCursorScreenPos(at);
-  combo(ui, "Preset", g.preset, {"Paper", "High arm", "Low arm", "Close to body"}, {.quiet = true});
+  heading_combo(ui, "Sampling intervals", "Preset", g.preset,
+                {"Paper", "High arm", "Low arm", "Close to body"});
   const char* names[] = {"Shoulder, raise", "Shoulder, forward", "Shoulder, twist",
                          "Elbow, flexion", "Forearm, twist", "Wrist, bend", "Wrist, sideways"};
   for (std::size_t i = 0; i < g.ranges.size(); ++i) {
@@ -190,8 +187,8 @@ void draw_gallery(Ui& ui, Gallery& g) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const float menu = ui.px(34), status = ui.px(26), seam = ui.px(4);
   const float body = size.y - menu - status;
-  const float x0 = std::floor(size.x * static_cast<float>(g.left_ratio));
-  const float x1 = std::floor(size.x * static_cast<float>(g.right_ratio));
+  const float x0 = std::max(ui.px(200), std::floor(size.x * static_cast<float>(g.left_ratio)));
+  const float x1 = std::min(size.x - ui.px(300), std::floor(size.x * static_cast<float>(g.right_ratio)));
   const float y1 = std::floor(menu + body * static_cast<float>(g.timeline_ratio));
   {
     Panel panel(ui, "Menu", {{0, 0}, {size.x, menu}}, {.scrolls = false});
