@@ -310,4 +310,23 @@ bool combo(Ui& ui, std::string_view label, int& chosen, const std::vector<std::s
   return changed;
 }
 
+bool heading_combo(Ui& ui, std::string_view text, std::string_view name, int& chosen,
+                   const std::vector<std::string>& entries, std::string_view hint) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = std::floor(ImGui::GetContentRegionAvail().x);
+  const bool inside = chosen >= 0 && chosen < static_cast<int>(entries.size());
+  const std::string_view preview =
+      inside ? std::string_view(entries[static_cast<std::size_t>(chosen)]) : "–";
+  const float choice = std::min(std::ceil(size_of(ui.fonts().small_medium, preview).x) + ui.px(28),
+                                width);
+  const float height = ui.px(ui.theme().metrics.row);
+  ImFont* font = ui.fonts().small_medium;
+  if (width - choice > ui.px(40)) {
+    draw_text(*ImGui::GetWindowDrawList(), font, {at.x, middle(at.y, height, font)},
+              ui.palette().quiet, shown_part(text), width - choice - ui.px(4));
+  }
+  ui.record(WidgetKind::label, text, at, {at.x + width - choice, at.y + height});
+  return combo(ui, name, chosen, entries, {.quiet = true, .hint = hint});
+}
+
 }  // namespace elbowroom

@@ -52,6 +52,11 @@ struct ComboOptions {
 bool combo(Ui& ui, std::string_view label, int& chosen, const std::vector<std::string>& entries,
            const ComboOptions& options = {});
 
+// A heading with a quiet choice at its right edge: "Sampling intervals      High arm". The choice is
+// named `name`.
+bool heading_combo(Ui& ui, std::string_view heading, std::string_view name, int& chosen,
+                   const std::vector<std::string>& entries, std::string_view hint = {});
+
 // The number in a text that people typed: "85", "85,5°", "−3 cm", " 1e-3 ". nullopt: none, or not
 // finite.
 std::optional<double> typed_number(std::string_view text);
