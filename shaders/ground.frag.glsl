@@ -29,7 +29,7 @@ void main() {
   float line = frame.grid_colour.w * fade * max(0.42 * minor, major);
 
   float shade = 0.0;
-  if (frame.ground.w > 0.5 && fade > 0.0) {
+  if (frame.ground.w > 0.5 && fade * above > 0.0) {
     float key = 1.0 - key_visibility(position, normal, gl_FragCoord.xy);
     float contact = 1.0 - ambient_visibility(position);
     shade = 1.0 - (1.0 - 0.62 * key) * (1.0 - 0.85 * contact);

@@ -38,6 +38,8 @@ float glow() {
   return level;
 }
 
+float fifth(float x) { return x * x * x * x * x; }
+
 void main() {
   vec3 viewer = to_viewer(position);
   vec3 n = normalize(normal);
@@ -77,8 +79,8 @@ void main() {
   float d = n_h * n_h * (a * a - 1.0) + 1.0;
   float lobe = a * a / max(d * d, 1e-6);
   float smith = 0.25 / (mix(n_l, 1.0, 0.5 * a) * mix(n_v, 1.0, 0.5 * a));
-  float graze = pow(1.0 - n_v, 5.0);
-  vec3 fresnel = f0 + (1.0 - f0) * pow(1.0 - max(dot(h, viewer), 0.0), 5.0);
+  float graze = fifth(1.0 - n_v);
+  vec3 fresnel = f0 + (1.0 - f0) * fifth(1.0 - max(dot(h, viewer), 0.0));
   vec3 gloss = frame.key_colour.rgb * (n_l * key) * min(fresnel * lobe * smith * 0.32, vec3(1.5));
   vec3 mirrored = reflect(-viewer, n);
   vec3 around = mix(frame.bounce_colour.rgb, frame.sky_colour.rgb,
@@ -86,7 +88,7 @@ void main() {
   gloss += around * open * (f0 + (1.0 - roughness) * (1.0 - f0) * graze);
 
   // A thin light from behind and above parts the figure from the backdrop.
-  float edge = pow(1.0 - n_v, 3.0) * smoothstep(-0.35, 0.6, n.y + 0.3);
+  float edge = (1.0 - n_v) * (1.0 - n_v) * (1.0 - n_v) * smoothstep(-0.35, 0.6, n.y + 0.3);
   vec3 back = frame.sky_colour.rgb * (edge * frame.rim.x * open) * (0.35 + 0.65 * albedo);
 
   vec3 result = (diffuse + gloss + back) * frame.rim.y;
