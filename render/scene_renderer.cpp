@@ -396,7 +396,8 @@ Result<SceneRenderer> SceneRenderer::create() {
       {&data->ghost, "surface.vert.glsl", "ghost.frag.glsl"},
       {&data->ghost_depth, "surface.vert.glsl", "ghost_depth.frag.glsl"},
       {&data->pick, "depth.vert.glsl", "pick.frag.glsl"},
-      {&data->draft_surface, "surface.vert.glsl", "surface.frag.glsl", "#define DRAFT\n"},
+      {&data->draft_surface, "draft_surface.vert.glsl", "draft_surface.frag.glsl",
+       "#define DRAFT\n"},
       {&data->draft_ground, "ground.vert.glsl", "ground.frag.glsl", "#define DRAFT\n"},
   };
   for (const auto& [program, vertex, fragment, prelude] : wanted) {

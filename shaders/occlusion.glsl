@@ -5,9 +5,6 @@ layout(binding = 3) uniform sampler2D occlusion_map;
 layout(binding = 4) uniform sampler2D geometry_map;  // view normal, distance along the view
 
 float ambient_visibility(vec3 position) {
-#ifdef DRAFT
-  return 1.0;
-#else
   if (frame.occlusion.w < 0.5) return 1.0;
   float depth = -(frame.view_from_world * vec4(position, 1.0)).z;
   vec2 size = vec2(textureSize(occlusion_map, 0));
@@ -26,5 +23,4 @@ float ambient_visibility(vec3 position) {
     weights += weight;
   }
   return mix(1.0, sum / max(weights, 1e-6), frame.occlusion.x);
-#endif
 }

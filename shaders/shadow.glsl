@@ -4,7 +4,17 @@
 layout(binding = 1) uniform sampler2DShadow shadow_map;
 layout(binding = 2) uniform sampler2D shadow_depth;
 
-#ifndef DRAFT
+#ifdef DRAFT
+// Hard shadows: part of the key light that reaches a point whose surface has that cosine to it.
+float key_visibility(vec3 position, float cosine) {
+  float texel = frame.shadow.x / frame.shadow.w;
+  float slope = min(sqrt(max(1.0 - cosine * cosine, 0.0)) / max(cosine, 0.05), 3.0);
+  vec3 uvz = (frame.light_from_world * vec4(position, 1.0)).xyz;
+  if (any(lessThan(uvz.xy, vec2(0.0))) || any(greaterThan(uvz.xy, vec2(1.0)))) return 1.0;
+  float bias = 2.5 * texel * (1.0 + slope) / frame.shadow.y;
+  return texture(shadow_map, vec3(uvz.xy, min(uvz.z - bias, 0.9999)));
+}
+#else
 // Points of a disc, the i-th of n at sqrt((i + 0.5) / n) and i golden angles. The search's are drawn
 // to the middle by their squared distance, so that small things that nearly touch are never missed
 // by some pixels and found by others.
@@ -31,7 +41,6 @@ const vec2 kFilterDisc[20] = vec2[](
     vec2(0.69452694, 0.58534804), vec2(-0.93461555, 0.03864928),
     vec2(0.68173030, -0.67841270), vec2(-0.04561040, 0.98636692));
 
-#endif
 
 // Part of the key light that reaches a point, [0, 1]. `normal` faces the viewer.
 float key_visibility(vec3 position, vec3 normal, vec2 pixel) {
@@ -43,9 +52,6 @@ float key_visibility(vec3 position, vec3 normal, vec2 pixel) {
   vec3 at = position + normal * texel * (1.0 + slope);
   vec3 uvz = (frame.light_from_world * vec4(at, 1.0)).xyz;
   if (any(lessThan(uvz.xy, vec2(0.0))) || any(greaterThan(uvz.xy, vec2(1.0)))) return 1.0;
-#ifdef DRAFT
-  return texture(shadow_map, vec3(uvz.xy, min(uvz.z - 2.0 * texel * slope / range, 0.9999)));
-#else
   float turn = 6.2831853 * pattern(pixel);
   mat2 turned = mat2(cos(turn), sin(turn), -sin(turn), cos(turn));
 
@@ -71,5 +77,5 @@ float key_visibility(vec3 position, vec3 normal, vec2 pixel) {
     lit += texture(shadow_map, vec3(uvz.xy + offset / width, min(uvz.z - bias, 0.9999)));
   }
   return lit / float(kFilter);
-#endif
 }
+#endif

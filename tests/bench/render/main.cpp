@@ -63,7 +63,7 @@ World demo_world() {
   return scene->world;
 }
 
-int run(int width, int height, int frames, const char* pictures) {
+int run(int width, int height, int frames, const std::string& only, const char* pictures) {
   auto context = OffscreenContext::create();
   if (!context) {
     std::fprintf(stderr, "%s\n", context.error().message().c_str());
@@ -90,6 +90,7 @@ int run(int width, int height, int frames, const char* pictures) {
 
   const auto measure = [&](const char* name, const Style& with, const PictureSize& at,
                            const std::function<void(int)>& change) {
+    if (std::string(name).find(only) == std::string::npos) return;
     std::vector<double> times;
     double cpu = 0;
     for (int i = 0; i < frames + 2; ++i) {
@@ -188,5 +189,6 @@ int main(int count, char** arguments) {
   const int width = count > 2 ? std::atoi(arguments[1]) : 1000;
   const int height = count > 2 ? std::atoi(arguments[2]) : 700;
   const int frames = count > 3 ? std::max(1, std::atoi(arguments[3])) : 30;
-  return elbowroom::run(width, height, frames, count > 4 ? arguments[4] : nullptr);
+  return elbowroom::run(width, height, frames, count > 4 ? arguments[4] : "",
+                        count > 5 ? arguments[5] : nullptr);
 }
