@@ -2,43 +2,14 @@
 #include "app/delivery.h"
 
 #include <cstdio>
-#include <cstring>
-#include <filesystem>
 
 #include "app/exit_codes.h"
 #include "app/report.h"
 #include "app/terminal.h"
-#include "core/io/gltf_reader.h"
-#include "core/io/gltf_writer.h"
-#include "core/io/safe_file.h"
+#include "core/editing/deliver_clip.h"
 
 namespace elbowroom {
 namespace {
-
-// The file's new animation must be, bit for bit, the clip that was verified.
-Status compare_with_file(const Clip& verified, const std::filesystem::path& file, int animation) {
-  ReadOptions read;
-  read.images = false;
-  const auto model = read_gltf(file, read);
-  if (!model) return model.error();
-  const Clip* written = nullptr;
-  for (const Clip& clip : (*model)->clips)
-    if (clip.source_animation == animation) written = &clip;
-  const Error wrong{"what was read back is not what was verified", file.string(),
-                    "this is a defect of Elbowroom; the file has been removed"};
-  if (!written || written->channels.size() != verified.channels.size()) return wrong;
-  for (const Channel& channel : verified.channels) {
-    const int found = written->find_channel(channel.joint, channel.path);
-    if (found < 0) return wrong;
-    const Channel& other = written->channels[static_cast<std::size_t>(found)];
-    if (other.interpolation != channel.interpolation || other.times != channel.times ||
-        other.values.size() != channel.values.size() ||
-        std::memcmp(other.values.data(), channel.values.data(),
-                    channel.values.size() * sizeof(float)) != 0)
-      return wrong;
-  }
-  return Done{};
-}
 
 void print_windows(const Session& session, const CorrectionOutcome& outcome) {
   for (const WindowReport& window : outcome.windows) {
@@ -89,26 +60,16 @@ int deliver(const Session& session, const SceneCollision& scene, const Correctio
   }
 
   const auto& source = session.document.scene.character;
-  std::vector<CorrectedClip> clips;
-  if (!outcome.corrections.empty()) clips.push_back(corrected_clip(*outcome.clip));
-  ExportReport exported;
-  if (Status written = export_corrected(source, places.out, clips, &exported); !written)
-    return refuse(written.error(), places.report);
-  print_warnings(exported.warnings);
-  if (!clips.empty()) {
-    const int animation = exported.animations.empty() ? -1 : exported.animations.front().index;
-    if (Status same = compare_with_file(*outcome.clip, places.out, animation); !same) {
-      std::error_code ignored;
-      std::filesystem::remove(places.out, ignored);
-      for (const auto& file : exported.side_files) std::filesystem::remove(file, ignored);
-      return refuse(same.error(), places.report);
-    }
+  const auto exported = deliver_clip(source, *outcome.clip, places.out);
+  if (!exported) return refuse(exported.error(), places.report);
+  print_warnings(exported->warnings);
+  if (!exported->animations.empty())
     std::printf("wrote %s with the animation \"%s\"\n", places.out.c_str(),
-                exported.animations.front().name.c_str());
-  } else {
+                exported->animations.front().name.c_str());
+  else
     std::printf("nothing to correct; %s is a copy\n", places.out.c_str());
-  }
-  return report(clips.empty() ? "nothing_to_correct" : "corrected") ? kExitDone : kExitBadInput;
+  return report(exported->animations.empty() ? "nothing_to_correct" : "corrected") ? kExitDone
+                                                                                   : kExitBadInput;
 }
 
 }  // namespace elbowroom

@@ -167,4 +167,19 @@ Vec3 project(const Camera& given, double aspect, const Vec3& point) {
           0.5 - 0.5 * glm::dot(offset, camera.up()) / half, depth};
 }
 
+WorldRay pick_ray(const Camera& given, double aspect, double x, double y) {
+  const Camera camera = sanitized(given);
+  if (!std::isfinite(x)) x = 0.5;
+  if (!std::isfinite(y)) y = 0.5;
+  if (!std::isfinite(aspect) || aspect <= 0) aspect = 1.0;
+  const double tangent = std::tan(0.5 * camera.field_of_view);
+  const Vec3 across =
+      (2.0 * x - 1.0) * tangent * aspect * camera.right() + (1.0 - 2.0 * y) * tangent * camera.up();
+  if (camera.orthographic) {
+    return {camera.focus + camera.distance * (across + 1e4 * camera.backward()),
+            -camera.backward()};
+  }
+  return {camera.eye(), glm::normalize(across - camera.backward())};
+}
+
 }  // namespace elbowroom

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/math.h"
+#include "core/base/ray.h"
 #include "render/bounds.h"
 
 namespace elbowroom {
@@ -21,6 +22,8 @@ struct Camera {
   double distance = 5;   // eye to focus; scales the picture in ortho too
   double field_of_view = 0.5;  // vertical, perspective and ortho show the same at the focus
   bool orthographic = false;
+
+  bool operator==(const Camera&) const = default;
 
   Vec3 backward() const;  // unit, from the focus to the eye
   Vec3 right() const;     // unit, the picture's x
@@ -57,5 +60,10 @@ Camera framed(const Camera& camera, const Bounds& bounds, double aspect, double 
 // Position in the picture, x to the right and y down, both [0, 1], z the distance along the view;
 // z ≤ 0 is behind the eye.
 Vec3 project(const Camera& camera, double aspect, const Vec3& point);
+
+// The ray of all points that project() takes to (x, y); unit direction. In perspective it begins at
+// the eye; in ortho, where a picture shows what is behind the eye too, 10,000 distances before it.
+// Positions that are not finite count as the picture's middle.
+WorldRay pick_ray(const Camera& camera, double aspect, double x, double y);
 
 }  // namespace elbowroom

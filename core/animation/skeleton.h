@@ -22,6 +22,7 @@ struct Transform {
   Vec3 scale{1.0};
 
   Mat4 matrix() const;
+  bool operator==(const Transform&) const = default;
 };
 
 struct Joint {

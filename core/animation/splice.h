@@ -41,6 +41,7 @@ struct RotationKeys {
   std::vector<float> times;       // seconds, strictly increasing, inside the window
   std::vector<Quat> values;       // one a time; unit (normalized here), sign free
   std::vector<Quat> derivatives;  // components of dq/dt per second, one a time, or none at all
+  bool operator==(const RotationKeys&) const = default;
 };
 
 // How far the planned rotation may be from the source at a window's end, radians; the source's

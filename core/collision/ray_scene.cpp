@@ -78,6 +78,23 @@ void on_hit(const RTCFilterFunctionNArguments* args) {
   }
 }
 
+struct NearestContext {
+  EmbreeContext embree;
+  const RayScene::Accept* accept;
+};
+
+void on_nearest(const RTCFilterFunctionNArguments* args) {
+  const auto* context = reinterpret_cast<const NearestContext*>(args->context);
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (args->valid[i] != -1) continue;
+    const float facing =
+        RTCHitN_Ng_x(args->hit, args->N, i) * RTCRayN_dir_x(args->ray, args->N, i) +
+        RTCHitN_Ng_y(args->hit, args->N, i) * RTCRayN_dir_y(args->ray, args->N, i) +
+        RTCHitN_Ng_z(args->hit, args->N, i) * RTCRayN_dir_z(args->ray, args->N, i);
+    if (!(*context->accept)(RTCHitN_primID(args->hit, args->N, i), facing)) args->valid[i] = 0;
+  }
+}
+
 }  // namespace
 
 struct RayScene::Data {
@@ -175,6 +192,43 @@ void RayScene::all_hits(std::span<const Ray> rays, std::vector<Hit>& hits) const
 
 void RayScene::any_hits(std::span<const Ray> rays, std::vector<Hit>& hits) const {
   data_->fire(rays, hits, false);
+}
+
+std::optional<RayScene::Nearest> RayScene::nearest_hit(const Ray& ray, const Accept& accept) const {
+  if (!data_->scene || data_->triangles == 0) return std::nullopt;
+  NearestContext context;
+  context.accept = &accept;
+  RTCRayHit query;
+  query.ray.org_x = ray.origin.x;
+  query.ray.org_y = ray.origin.y;
+  query.ray.org_z = ray.origin.z;
+  query.ray.dir_x = ray.direction.x;
+  query.ray.dir_y = ray.direction.y;
+  query.ray.dir_z = ray.direction.z;
+  query.ray.tnear = 0.0f;
+  query.ray.tfar = 1.0f;
+  query.ray.time = 0.0f;
+  query.ray.mask = ~0u;
+  query.ray.id = 0;
+  query.ray.flags = 0;
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  const FlushDenormals flush;
+#if ELBOWROOM_EMBREE_MAJOR >= 4
+  rtcInitRayQueryContext(&context.embree);
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
+  arguments.context = &context.embree;
+  arguments.filter = on_nearest;
+  rtcIntersect1(data_->scene, &query, &arguments);
+#else
+  rtcInitIntersectContext(&context.embree);
+  context.embree.filter = on_nearest;
+  rtcIntersect1(data_->scene, &context.embree, &query);
+#endif
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  return Nearest{query.hit.primID, query.ray.tfar};
 }
 
 }  // namespace elbowroom

@@ -11,8 +11,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -46,6 +48,16 @@ class RayScene {
 
   // One hit of each ray that has any; up to kPacket rays. Appends.
   void any_hits(std::span<const Ray> rays, std::vector<Hit>& hits) const;
+
+  struct Nearest {
+    std::uint32_t triangle = 0;
+    float t = 0;  // the hit is at origin + t × direction
+  };
+  // Told the triangle and the cosine-like product of its geometric normal and the direction (> 0:
+  // its back); false lets the ray pass. Asked of any hit, in no order.
+  using Accept = std::function<bool(std::uint32_t triangle, float facing)>;
+  // The hit that is nearest to the origin, among those accepted.
+  std::optional<Nearest> nearest_hit(const Ray& ray, const Accept& accept) const;
 
  private:
   struct Data;

@@ -20,6 +20,7 @@ namespace elbowroom {
 
 struct Interval {
   double lower = 0, upper = 0;
+  bool operator==(const Interval&) const = default;
 };
 
 // What the planner is told besides the problem itself. Lengths of 0 mean the scene's default.
@@ -30,6 +31,7 @@ struct PlanningWishes {
   int max_iterations = 4000;                 // of Algorithm 1, for each attempt
   double max_seconds = 0;                    // 0: iterations alone bound it (same bytes again)
   std::map<std::string, Interval> sampling;  // by DOF name, radians; others: the limb's default
+  bool operator==(const PlanningWishes&) const = default;
 };
 
 // Where the end of a limb shall be at a time [SKF07 5]: the wrist's (ankle's) own origin, in the
@@ -39,6 +41,7 @@ struct HandTarget {
   Vec3 position{0.0};
   std::optional<Quat> orientation;  // world_from_joint rotation of the end joint; none: free
   bool grasp = false;               // position and orientation are the palm's grasp frame's instead
+  bool operator==(const HandTarget&) const = default;
 };
 
 enum class TaskKind {
@@ -54,6 +57,7 @@ struct Task {
   std::optional<Interval> window;    // seconds; none: auto
   std::optional<HandTarget> target;  // of a reach
   PlanningWishes wishes;
+  bool operator==(const Task&) const = default;
 };
 
 // One limb joint's keys inside the window.
@@ -61,6 +65,7 @@ struct JointKeys {
   std::string joint;  // name; the index is the truth where names repeat
   int node = -1;
   RotationKeys keys;
+  bool operator==(const JointKeys&) const = default;
 };
 
 struct Correction {
@@ -71,6 +76,7 @@ struct Correction {
   bool muted = false;
   PlanningWishes made_with;
   std::vector<JointKeys> joints;
+  bool operator==(const Correction&) const = default;
 };
 
 // What the animator is preparing: the next task, not yet asked for.
@@ -79,6 +85,7 @@ struct Draft {
   std::optional<Interval> window;                // seconds
   std::optional<HandTarget> target;              // set: the next task is a reach
   std::map<std::string, PlanningWishes> wishes;  // by limb name
+  bool operator==(const Draft&) const = default;
 };
 
 struct Document {
@@ -86,6 +93,7 @@ struct Document {
   Draft draft;
   std::vector<Task> tasks;
   std::vector<Correction> corrections;  // in order: later ones lie over earlier ones
+  bool operator==(const Document&) const = default;
 };
 
 }  // namespace elbowroom

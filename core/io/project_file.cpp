@@ -46,6 +46,11 @@ const Json& object_of(const Json& value, const std::string& where) {
   return value;
 }
 
+bool flag_of(const Json& value, const std::string& where) {
+  if (!value.is_boolean()) throw Damage{where, "this should be true or false"};
+  return value.get<bool>();
+}
+
 template <int N>
 std::array<double, N> numbers_of(const Json& value, const std::string& where) {
   if (!value.is_array() || value.size() != N)
@@ -100,6 +105,66 @@ void put_wishes(Json& object, const PlanningWishes& wishes) {
   object["sampling"] = sampling;
 }
 
+// The member "window": absent or "auto" is none.
+std::optional<Interval> window_of(const Json& object, const std::string& where) {
+  if (!object.contains("window") || object["window"] == "auto") return std::nullopt;
+  const auto window = numbers_of<2>(object["window"], where + "/window");
+  if (!(window[0] < window[1])) throw Damage{where + "/window", "it ends before it begins"};
+  return Interval{window[0], window[1]};
+}
+
+Json json_of(const std::optional<Interval>& window) {
+  return window ? Json::array({window->lower, window->upper}) : Json("auto");
+}
+
+HandTarget target_of(const Json& object, const std::string& where) {
+  object_of(object, where);
+  HandTarget target;
+  target.time = number_of(member(object, "time", where), where + "/time");
+  const auto p = numbers_of<3>(member(object, "position", where), where + "/position");
+  target.position = {p[0], p[1], p[2]};
+  if (object.contains("orientation")) {
+    const Quat rotation = quat_of(object["orientation"], where + "/orientation");
+    if (glm::length(rotation) < 1e-6) throw Damage{where + "/orientation", "it is zero"};
+    target.orientation = glm::normalize(rotation);
+  }
+  if (object.contains("grasp")) target.grasp = flag_of(object["grasp"], where + "/grasp");
+  return target;
+}
+
+Json json_of(const HandTarget& target) {
+  Json object;
+  object["time"] = target.time;
+  object["position"] = json_of(target.position);
+  if (target.orientation) object["orientation"] = json_of(*target.orientation);
+  object["grasp"] = target.grasp;
+  return object;
+}
+
+Draft draft_of(const Json& object, const std::string& where) {
+  object_of(object, where);
+  Draft draft;
+  if (object.contains("limb")) draft.limb = text_of(object["limb"], where + "/limb");
+  draft.window = window_of(object, where);
+  if (object.contains("target")) draft.target = target_of(object["target"], where + "/target");
+  if (object.contains("wishes"))
+    for (const auto& [limb, wishes] : object_of(object["wishes"], where + "/wishes").items()) {
+      const std::string place = where + "/wishes/" + limb;
+      draft.wishes[limb] = wishes_of(object_of(wishes, place), place);
+    }
+  return draft;
+}
+
+Json json_of(const Draft& draft) {
+  Json object;
+  object["limb"] = draft.limb;
+  object["window"] = json_of(draft.window);
+  if (draft.target) object["target"] = json_of(*draft.target);
+  object["wishes"] = Json::object();
+  for (const auto& [limb, wishes] : draft.wishes) put_wishes(object["wishes"][limb], wishes);
+  return object;
+}
+
 std::filesystem::path resolved(const std::filesystem::path& folder, const Json& value,
                                const std::string& where) {
   const std::filesystem::path path = text_of(value, where);
@@ -144,21 +209,22 @@ Document document_of(const Json& root, const std::filesystem::path& folder) {
       document.scene.attachments.push_back(attached);
     }
 
+  if (root.contains("draft")) document.draft = draft_of(root["draft"], "/draft");
   if (root.contains("tasks"))
     for (const auto& item : array_of(root["tasks"], "/tasks")) {
       const std::string where = "/tasks/" + std::to_string(document.tasks.size());
       object_of(item, where);
       const std::string kind = text_of(member(item, "kind", where), where + "/kind");
-      if (kind != "correct")
-        throw Damage{where + "/kind", "this version knows no task \"" + kind + "\""};
       Task task;
+      if (kind == task_kind_id(TaskKind::reach))
+        task.kind = TaskKind::reach;
+      else if (kind != task_kind_id(TaskKind::correct))
+        throw Damage{where + "/kind", "this version knows no task \"" + kind + "\""};
       if (item.contains("name")) task.name = text_of(item["name"], where + "/name");
       if (item.contains("limb")) task.limb = text_of(item["limb"], where + "/limb");
-      if (item.contains("window") && item["window"] != "auto") {
-        const auto window = numbers_of<2>(item["window"], where + "/window");
-        if (!(window[0] < window[1])) throw Damage{where + "/window", "it ends before it begins"};
-        task.window = Interval{window[0], window[1]};
-      }
+      task.window = window_of(item, where);
+      if (task.kind == TaskKind::reach)
+        task.target = target_of(member(item, "target", where), where + "/target");
       task.wishes = wishes_of(item, where);
       document.tasks.push_back(task);
     }
@@ -173,11 +239,8 @@ Document document_of(const Json& root, const std::filesystem::path& folder) {
       const auto window = numbers_of<2>(member(item, "window", where), where + "/window");
       correction.begin = static_cast<float>(window[0]);
       correction.end = static_cast<float>(window[1]);
-      if (item.contains("muted")) {
-        if (!item["muted"].is_boolean())
-          throw Damage{where + "/muted", "this should be true or false"};
-        correction.muted = item["muted"].get<bool>();
-      }
+      if (item.contains("task")) correction.task = text_of(item["task"], where + "/task");
+      if (item.contains("muted")) correction.muted = flag_of(item["muted"], where + "/muted");
       if (item.contains("made_with"))
         correction.made_with =
             wishes_of(object_of(item["made_with"], where + "/made_with"), where + "/made_with");
@@ -272,14 +335,15 @@ Status write_project(const std::filesystem::path& file, const Document& document
          {"joint", attached.joint},
          {"translation", json_of(attached.joint_from_object.translation)},
          {"rotation", json_of(attached.joint_from_object.rotation)}});
+  root["draft"] = json_of(document.draft);
   root["tasks"] = Json::array();
   for (const auto& task : document.tasks) {
     Json item;
-    item["kind"] = "correct";
+    item["kind"] = task_kind_id(task.kind);
     item["name"] = task.name;
     item["limb"] = task.limb;
-    item["window"] =
-        task.window ? Json::array({task.window->lower, task.window->upper}) : Json("auto");
+    item["window"] = json_of(task.window);
+    if (task.target) item["target"] = json_of(*task.target);
     put_wishes(item, task.wishes);
     root["tasks"].push_back(item);
   }
@@ -287,6 +351,7 @@ Status write_project(const std::filesystem::path& file, const Document& document
   for (const auto& correction : document.corrections) {
     Json item;
     item["name"] = correction.name;
+    item["task"] = correction.task;
     item["limb"] = correction.limb;
     item["window"] = Json::array({correction.begin, correction.end});
     item["muted"] = correction.muted;

@@ -10,14 +10,17 @@
 //       "tasks": [{"kind": "correct", "name": "...", "limb": "right_arm", "window": [1.2, 2.05],
 //                  "seed": 7, "alternatives": 1, "clearance": 0, "max_iterations": 4000,
 //                  "max_seconds": 0, "sampling": {"Elbow, flexion": [1.2, 2.4]}}],
-//       "corrections": [{"name": "...", "limb": "right_arm", "window": [1.2, 2.05], "muted": false,
+//       "draft": {"limb": "right_arm", "window": [1.2, 2.05], "wishes": {"right_arm": {...}}},
+//       "corrections": [{"name": "...", "task": "...", "limb": "right_arm", "window": [1.2, 2.05],
+//       "muted": false,
 //                        "made_with": {"seed": 7, ...},
 //                        "joints": [{"joint": "RightUpperArm", "node": 12, "times": [...],
 //                                    "rotations": [[x, y, z, w], ...],
 //                                    "derivatives": [[x, y, z, w], ...]}]}]
 //     }
 //
-// A window that is absent or "auto" is automatic. Keys that this version doesn't know survive a
+// A window that is absent or "auto" is automatic. A target without orientation leaves the hand
+// free. The draft is what the editor is preparing. Keys that this version doesn't know survive a
 // save over the same file, at the top level, in the scene, and in tasks and corrections.
 #pragma once
 

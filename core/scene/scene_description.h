@@ -16,6 +16,7 @@ struct AttachedFile {
   std::filesystem::path file;
   std::string joint;  // name in the character's file
   Transform joint_from_object;
+  bool operator==(const AttachedFile&) const = default;
 };
 
 struct SceneDescription {
@@ -23,6 +24,7 @@ struct SceneDescription {
   std::string clip;  // name or index; empty: the first one
   std::vector<std::filesystem::path> obstacles;
   std::vector<AttachedFile> attachments;
+  bool operator==(const SceneDescription&) const = default;
 };
 
 }  // namespace elbowroom

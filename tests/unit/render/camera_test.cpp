@@ -95,6 +95,38 @@ TEST(Camera, DragsStayInRange) {
                    camera.distance);
 }
 
+TEST(Camera, PickRayIsTheInverseOfProject) {
+  Random random(7);
+  for (int i = 0; i < 2000; ++i) {
+    Camera camera;
+    camera.focus = (i % 4 == 0 ? 1e6 : 1.0) * Vec3(1, -0.5, 0.3);
+    camera.azimuth = random.uniform(-3, 3);
+    camera.elevation = random.uniform(-1.5, 1.5);
+    camera.distance = std::pow(10.0, random.uniform(-2, 4));
+    camera.field_of_view = random.uniform(0.1, 2.0);
+    camera.orthographic = i % 2 == 0;
+    const double aspect = random.uniform(0.3, 3);
+    const double x = random.uniform(-0.5, 1.5), y = random.uniform(-0.5, 1.5);
+    const WorldRay ray = pick_ray(camera, aspect, x, y);
+    EXPECT_NEAR(glm::length(ray.direction), 1, 1e-12);
+    if (!camera.orthographic) {
+      EXPECT_EQ(ray.origin, camera.eye());
+    }
+    const double start = camera.orthographic ? 1e4 * camera.distance : 0.0;
+    for (const double along : {0.3, 1.0, 7.0}) {
+      const Vec3 at =
+          project(camera, aspect, ray.origin + (start + along * camera.distance) * ray.direction);
+      EXPECT_GT(at.z, 0);
+      const double slack = 1e-9 + 1e-9 / camera.distance;
+      EXPECT_NEAR(at.x, x, slack);
+      EXPECT_NEAR(at.y, y, slack);
+    }
+  }
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const WorldRay middle = pick_ray({}, nan, nan, nan);
+  EXPECT_EQ(middle.direction, -Camera{}.backward());
+}
+
 TEST(Camera, HostileValuesArePutRight) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   Camera camera;

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "app/editor/background.h"
+
+#include <utility>
+
+namespace elbowroom {
+
+void Mailbox::post(Letter letter) {
+  {
+    const std::lock_guard lock(mutex_);
+    letters_.push_back(std::move(letter));
+  }
+  if (wake_) wake_();
+}
+
+std::vector<Mailbox::Letter> Mailbox::collect() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(letters_, {});
+}
+
+BackgroundThread::BackgroundThread() : thread_([this](const std::stop_token& end) { work(end); }) {}
+
+BackgroundThread::~BackgroundThread() {
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_.clear();
+    running_.request_stop();
+  }
+  thread_.request_stop();
+}
+
+std::stop_source BackgroundThread::run(Job job) {
+  Entry entry{std::move(job), {}};
+  std::stop_source stop = entry.stop;
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_.push_back(std::move(entry));
+  }
+  changed_.notify_one();
+  return stop;
+}
+
+void BackgroundThread::work(const std::stop_token& end) {
+  while (true) {
+    Entry entry;
+    {
+      std::unique_lock lock(mutex_);
+      if (!changed_.wait(lock, end, [this] { return !waiting_.empty(); })) return;
+      entry = std::move(waiting_.front());
+      waiting_.pop_front();
+      running_ = entry.stop;
+    }
+    entry.job(entry.stop.get_token());
+  }
+}
+
+}  // namespace elbowroom

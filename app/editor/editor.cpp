@@ -1,0 +1,459 @@
+// SPDX-License-Identifier: MIT
+#include "app/editor/editor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <type_traits>
+
+#include "core/anatomy/limb_clip.h"
+#include "core/editing/motion.h"
+
+namespace elbowroom {
+namespace {
+
+constexpr double kGoodNoticeSeconds = 5;
+constexpr double kWarningNoticeSeconds = 12;
+
+std::string seconds_text(double a, double b) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.2f–%.2f s", a, b);
+  return text;
+}
+
+}  // namespace
+
+std::string limb_title(const std::string& limb) {
+  std::string title = limb;
+  if (limb == limb_id(LimbKind::left_arm) || limb == limb_id(LimbKind::right_arm) ||
+      limb == limb_id(LimbKind::left_leg) || limb == limb_id(LimbKind::right_leg)) {
+    std::replace(title.begin(), title.end(), '_', ' ');
+    title[0] = static_cast<char>(title[0] - 'a' + 'A');
+  }
+  return title;
+}
+
+Editor::Editor(std::function<void()> wake)
+    : mailbox_(std::make_shared<Mailbox>(std::move(wake))),
+      scene_work_(std::make_shared<SceneWork>()),
+      target_work_(std::make_shared<TargetWork>()) {
+  refresh();
+}
+
+Editor::~Editor() {
+  for (Running* running : {&opening_, &scanning_, &planning_, &exporting_, &targeting_})
+    running->stop.request_stop();
+}
+
+bool Editor::working() const {
+  return state_.opening.active || state_.scanning.active || state_.planning.active ||
+         state_.exporting.active;
+}
+
+void Editor::begin_job(Running& running, JobState& job, const std::string& what) {
+  running.stop.request_stop();
+  running.ticket = next_ticket_++;
+  running.began = now_;
+  job = {true, what, -1, 0};
+  changed_ = true;
+}
+
+void Editor::tell(Notice::Kind kind, Error text) {
+  std::erase_if(state_.notices,
+                [&](const Notice& old) { return old.text.message() == text.message(); });
+  state_.notices.push_back({next_notice_, kind, std::move(text)});
+  if (kind != Notice::Kind::error)
+    notice_ends_.emplace_back(
+        next_notice_,
+        now_ + (kind == Notice::Kind::good ? kGoodNoticeSeconds : kWarningNoticeSeconds));
+  ++next_notice_;
+  if (state_.notices.size() > 4) state_.notices.erase(state_.notices.begin());
+  changed_ = true;
+}
+
+const World* Editor::world() const { return session_ ? &session_->scene.world : nullptr; }
+
+void Editor::states_at(const std::shared_ptr<const Clip>& clip, double t,
+                       std::vector<ActorState>& states) const {
+  if (!session_) {
+    states.clear();
+    return;
+  }
+  World world = session_->scene.world;
+  world.actors.front().clip = clip;
+  world_state_at(world, t, states);
+}
+
+int Editor::limb_index(const std::string& name) const {
+  if (!session_) return -1;
+  for (std::size_t i = 0; i < session_->limbs.size(); ++i)
+    if (session_->limbs[i].limb.name == name) return static_cast<int>(i);
+  return -1;
+}
+
+PlanningWishes Editor::wishes() const {
+  const auto& draft = history_.document().draft;
+  const auto found = draft.wishes.find(draft.limb);
+  return found == draft.wishes.end() ? PlanningWishes{} : found->second;
+}
+
+void Editor::edit(const std::string& name, Phase phase, const History::Edit& change) {
+  switch (phase) {
+    case Phase::begin:
+    case Phase::changing:
+      history_.preview(name, change);
+      break;
+    case Phase::committed:
+      if (history_.previewing()) history_.preview(name, change);
+      if (history_.previewing())
+        history_.commit();
+      else
+        history_.apply(name, change);
+      break;
+    case Phase::cancelled:
+      history_.cancel();
+      break;
+  }
+  document_changed();
+}
+
+void Editor::document_changed() {
+  if (refreshed_revision_ == history_.revision()) return;
+  refreshed_revision_ = history_.revision();
+  refresh();
+  changed_ = true;
+}
+
+void Editor::refresh() {
+  const Document& document = history_.document();
+  state_.document = &document;
+  state_.revision = history_.revision();
+  state_.session = session_.get();
+  state_.dirty = session_ && history_.dirty();
+  state_.undo_name = history_.undo_name();
+  state_.redo_name = history_.redo_name();
+  state_.has_project = !project_.empty();
+  state_.name = !session_          ? ""
+                : project_.empty() ? document.scene.character.stem().string()
+                                   : project_.filename().string();
+  state_.limb = limb_index(document.draft.limb);
+  if (session_ && state_.source) {
+    if (shown_corrections_ != document.corrections || !state_.clip) {
+      const auto changed = changed_between(shown_corrections_, document.corrections);
+      Motion motion =
+          motion_of(session_->scene.model().skeleton, state_.source, document.corrections);
+      shown_corrections_ = document.corrections;
+      state_.clip = motion.clip;
+      state_.corrections.clear();
+      for (const auto& problem : motion.problems)
+        state_.corrections.push_back({!problem, problem ? problem->message() : ""});
+      if (changed) {
+        // A ghost planned on another motion is none of this one.
+        state_.candidate.reset();
+        rescan(*changed);
+      }
+    }
+    state_.selected_correction =
+        std::min(state_.selected_correction, static_cast<int>(document.corrections.size()) - 1);
+  }
+  if (shown_target_ != document.draft.target || shown_limb_ != document.draft.limb ||
+      shown_clip_ != state_.clip) {
+    if (shown_limb_ != document.draft.limb) state_.failure.reset();
+    shown_target_ = document.draft.target;
+    shown_limb_ = document.draft.limb;
+    shown_clip_ = state_.clip;
+    target_changed();
+  }
+  refresh_time();
+}
+
+void Editor::refresh_time() {
+  state_.dofs.clear();
+  const LimbModel* limb = state_.limb_model();
+  if (!limb || !state_.clip) return;
+  const Model& model = session_->scene.model();
+  const PlanningWishes own = wishes();
+  const Clip& shown = state_.candidate ? *state_.candidate->clip : *state_.clip;
+  const LimbState now = limb_state_at(*limb, model, shown, state_.time);
+  const LimbState in_clip = limb_state_at(*limb, model, *state_.source, state_.time);
+  for (int d = 0; d < limb->dof_count(); ++d) {
+    const Dof& dof = limb->space.dofs[static_cast<std::size_t>(d)];
+    DofView view;
+    view.name = dof.name;
+    view.lower = dof.lower;
+    view.upper = dof.upper;
+    view.default_lower = view.sample_lower = dof.sample_lower;
+    view.default_upper = view.sample_upper = dof.sample_upper;
+    if (const auto wish = own.sampling.find(dof.name); wish != own.sampling.end()) {
+      view.sample_lower = wish->second.lower;
+      view.sample_upper = wish->second.upper;
+      view.custom = true;
+    }
+    view.value = now.q[d];
+    view.clip_value = in_clip.q[d];
+    state_.dofs.push_back(view);
+  }
+}
+
+void Editor::set_time(double t) {
+  if (!state_.source || !std::isfinite(t)) return;
+  t = std::clamp(t, state_.begin, state_.end);
+  if (t == state_.time) return;
+  state_.time = t;
+  refresh_time();
+  changed_ = true;
+}
+
+bool Editor::update(double now) {
+  now_ = now;
+  for (const auto& letter : mailbox_->collect()) {
+    letter();
+    changed_ = true;
+  }
+  if (state_.playing) {
+    if (played_at_ >= 0) {
+      double t = state_.time + (now - played_at_) * state_.speed;
+      const double length = state_.end - state_.begin;
+      if (t > state_.end) {
+        if (state_.loop && length > 0)
+          t = state_.begin + std::fmod(t - state_.begin, length);
+        else
+          t = state_.end, state_.playing = false;
+      }
+      set_time(t);
+    }
+    played_at_ = now;
+  }
+  for (auto [job, running] :
+       {std::pair(&state_.opening, &opening_), std::pair(&state_.scanning, &scanning_),
+        std::pair(&state_.planning, &planning_), std::pair(&state_.exporting, &exporting_)})
+    if (job->active) job->seconds = now - running->began;
+  std::erase_if(notice_ends_, [&](const auto& entry) {
+    if (entry.second > now) return false;
+    changed_ |= std::erase_if(state_.notices,
+                              [&](const Notice& notice) { return notice.id == entry.first; }) > 0;
+    return true;
+  });
+  if (changed_) ++picture_version_;
+  return std::exchange(changed_, false);
+}
+
+void Editor::select_limb(int limb) {
+  if (!session_ || limb < 0 || limb >= static_cast<int>(session_->limbs.size())) return;
+  const std::string name = session_->limbs[static_cast<std::size_t>(limb)].limb.name;
+  if (history_.document().draft.limb == name) return;
+  edit("Select " + limb_title(name), Phase::committed, [&](Document& document) {
+    document.draft.limb = name;
+    document.draft.window.reset();
+    document.draft.target.reset();
+  });
+}
+
+void Editor::select_problem(int limb, int window) {
+  if (!state_.strip || limb < 0 || limb >= static_cast<int>(state_.strip->limbs.size())) return;
+  const auto& windows = state_.strip->limbs[static_cast<std::size_t>(limb)].windows;
+  if (window < 0 || window >= static_cast<int>(windows.size())) return;
+  const ProposedWindow& problem = windows[static_cast<std::size_t>(window)];
+  const std::string name = session_->limbs[static_cast<std::size_t>(limb)].limb.name;
+  edit("Choose " + limb_title(name) + " " + seconds_text(problem.begin, problem.end),
+       Phase::committed, [&](Document& document) {
+         if (document.draft.limb != name) document.draft.target.reset();
+         document.draft.limb = name;
+         document.draft.window = Interval{problem.begin, problem.end};
+       });
+  const ContactInterval* deepest = nullptr;
+  for (const auto& contact : problem.contacts)
+    if (!deepest || contact.deepest.depth > deepest->deepest.depth) deepest = &contact;
+  if (deepest) set_time(deepest->time_of_deepest);
+}
+
+void Editor::go_to_problem(int direction) {
+  if (!state_.strip) return;
+  // The next problem's deepest moment after (before) the current time, on any limb; round the end.
+  struct Place {
+    double t;
+    int limb, window;
+  };
+  std::vector<Place> places;
+  for (std::size_t limb = 0; limb < state_.strip->limbs.size(); ++limb) {
+    const auto& windows = state_.strip->limbs[limb].windows;
+    for (std::size_t w = 0; w < windows.size(); ++w) {
+      const ContactInterval* deepest = nullptr;
+      for (const auto& contact : windows[w].contacts)
+        if (!deepest || contact.deepest.depth > deepest->deepest.depth) deepest = &contact;
+      if (deepest)
+        places.push_back({deepest->time_of_deepest, static_cast<int>(limb), static_cast<int>(w)});
+    }
+  }
+  if (places.empty()) {
+    if (state_.strip->complete())
+      tell(Notice::Kind::good, {"No limb collides in this clip", "", ""});
+    return;
+  }
+  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.t < b.t; });
+  const Place* found = nullptr;
+  if (direction > 0) {
+    for (const Place& place : places)
+      if (!found && place.t > state_.time + 1e-6) found = &place;
+    if (!found) found = &places.front();
+  } else {
+    for (const Place& place : places)
+      if (place.t < state_.time - 1e-6) found = &place;
+    if (!found) found = &places.back();
+  }
+  select_problem(found->limb, found->window);
+}
+
+void Editor::choose_preset(SamplingPreset preset) {
+  const LimbModel* limb = state_.limb_model();
+  if (!limb) return;
+  const std::string name = limb->limb.name;
+  edit("Preset " + preset_title(preset, limb->limb), Phase::committed, [&](Document& document) {
+    document.draft.wishes[name].sampling = preset_intervals(*limb, preset);
+  });
+}
+
+void Editor::handle(const Command& command) {
+  std::visit(
+      [this](const auto& c) {
+        using T = std::decay_t<decltype(c)>;
+        namespace cmd = command;
+        const Document& document = history_.document();
+        const auto has_correction = [&](int index) {
+          return index >= 0 && index < static_cast<int>(document.corrections.size());
+        };
+        const auto title_of = [&](int index) {
+          return document.corrections[static_cast<std::size_t>(index)].name;
+        };
+        if constexpr (std::is_same_v<T, cmd::OpenFiles>) {
+          open_files(c.paths);
+        } else if constexpr (std::is_same_v<T, cmd::OpenDemo>) {
+          open_demo();
+        } else if constexpr (std::is_same_v<T, cmd::SaveProject>) {
+          save(c.path);
+        } else if constexpr (std::is_same_v<T, cmd::Export>) {
+          export_to(c.path);
+        } else if constexpr (std::is_same_v<T, cmd::AttachObject>) {
+          attach_object(c.file, c.joint);
+        } else if constexpr (std::is_same_v<T, cmd::RemoveObject>) {
+          remove_object(c.file);
+        } else if constexpr (std::is_same_v<T, cmd::ChooseClip>) {
+          choose_clip(c.name);
+        } else if constexpr (std::is_same_v<T, cmd::Undo>) {
+          history_.undo();
+          document_changed();
+          scene_changed();
+        } else if constexpr (std::is_same_v<T, cmd::Redo>) {
+          history_.redo();
+          document_changed();
+          scene_changed();
+        } else if constexpr (std::is_same_v<T, cmd::Scrub>) {
+          state_.playing = false;
+          set_time(c.t);
+        } else if constexpr (std::is_same_v<T, cmd::TogglePlay>) {
+          if (!state_.source) return;
+          state_.playing = !state_.playing;
+          played_at_ = -1;
+          if (state_.playing && state_.time >= state_.end) set_time(state_.begin);
+        } else if constexpr (std::is_same_v<T, cmd::ToggleLoop>) {
+          state_.loop = !state_.loop;
+        } else if constexpr (std::is_same_v<T, cmd::SetSpeed>) {
+          state_.speed = std::clamp(std::isfinite(c.speed) ? c.speed : 1.0, 0.05, 8.0);
+        } else if constexpr (std::is_same_v<T, cmd::StepFrames>) {
+          state_.playing = false;
+          const double frame =
+              std::round((state_.time - state_.begin) * state_.frame_rate) + c.frames;
+          set_time(state_.begin + frame / state_.frame_rate);
+        } else if constexpr (std::is_same_v<T, cmd::GoToEnd>) {
+          state_.playing = false;
+          set_time(c.last ? state_.end : state_.begin);
+        } else if constexpr (std::is_same_v<T, cmd::GoToProblem>) {
+          state_.playing = false;
+          go_to_problem(c.direction);
+        } else if constexpr (std::is_same_v<T, cmd::SelectLimb>) {
+          select_limb(c.limb);
+        } else if constexpr (std::is_same_v<T, cmd::SelectProblem>) {
+          state_.playing = false;
+          select_problem(c.limb, c.window);
+        } else if constexpr (std::is_same_v<T, cmd::SetWindow>) {
+          set_window(c);
+        } else if constexpr (std::is_same_v<T, cmd::SetSampling>) {
+          const std::string limb = document.draft.limb;
+          if (limb.empty()) return;
+          edit(c.interval ? "Sampling of " + c.dof : "Reset " + c.dof, c.phase,
+               [&](Document& changed) {
+                 auto& sampling = changed.draft.wishes[limb].sampling;
+                 if (c.interval)
+                   sampling[c.dof] = *c.interval;
+                 else
+                   sampling.erase(c.dof);
+               });
+        } else if constexpr (std::is_same_v<T, cmd::ChoosePreset>) {
+          choose_preset(c.preset);
+        } else if constexpr (std::is_same_v<T, cmd::SetWishes>) {
+          const std::string limb = document.draft.limb;
+          if (limb.empty()) return;
+          edit(c.what, c.phase, [&](Document& changed) {
+            auto& wishes = changed.draft.wishes[limb];
+            auto sampling = std::move(wishes.sampling);
+            wishes = c.wishes;
+            wishes.sampling = std::move(sampling);
+          });
+        } else if constexpr (std::is_same_v<T, cmd::Plan>) {
+          plan();
+        } else if constexpr (std::is_same_v<T, cmd::CancelPlan>) {
+          cancel_plan();
+        } else if constexpr (std::is_same_v<T, cmd::Accept>) {
+          accept();
+        } else if constexpr (std::is_same_v<T, cmd::Discard>) {
+          state_.candidate.reset();
+          state_.failure.reset();
+          refresh_time();
+        } else if constexpr (std::is_same_v<T, cmd::SelectCorrection>) {
+          if (has_correction(c.index)) state_.selected_correction = c.index;
+        } else if constexpr (std::is_same_v<T, cmd::MuteCorrection>) {
+          if (!has_correction(c.index)) return;
+          const auto i = static_cast<std::size_t>(c.index);
+          edit((document.corrections[i].muted ? "Unmute " : "Mute ") + title_of(c.index),
+               Phase::committed, [i](Document& changed) { changed.corrections[i].muted ^= true; });
+        } else if constexpr (std::is_same_v<T, cmd::DeleteCorrection>) {
+          if (!has_correction(c.index)) return;
+          edit("Delete " + title_of(c.index), Phase::committed, [&](Document& changed) {
+            const std::string task = changed.corrections[static_cast<std::size_t>(c.index)].task;
+            changed.corrections.erase(changed.corrections.begin() + c.index);
+            // A task of which nothing is left is no wish any more.
+            const bool left = std::any_of(changed.corrections.begin(), changed.corrections.end(),
+                                          [&](const auto& other) { return other.task == task; });
+            if (!left && !task.empty())
+              std::erase_if(changed.tasks, [&](const Task& t) { return t.name == task; });
+          });
+        } else if constexpr (std::is_same_v<T, cmd::RenameCorrection>) {
+          if (!has_correction(c.index) || c.name.empty()) return;
+          edit("Rename to " + c.name, Phase::committed, [&](Document& changed) {
+            changed.corrections[static_cast<std::size_t>(c.index)].name = c.name;
+          });
+        } else if constexpr (std::is_same_v<T, cmd::ReplanCorrection>) {
+          replan(c.index);
+        } else if constexpr (std::is_same_v<T, cmd::SetTarget>) {
+          if (state_.limb < 0) return;
+          edit(c.target ? c.what : "Remove hand target", c.phase,
+               [&](Document& changed) { changed.draft.target = c.target; });
+        } else if constexpr (std::is_same_v<T, cmd::TargetFromPosture>) {
+          target_from_posture();
+        } else if constexpr (std::is_same_v<T, cmd::Click>) {
+          click(c);
+        } else if constexpr (std::is_same_v<T, cmd::DismissNotice>) {
+          std::erase_if(state_.notices, [&](const Notice& notice) { return notice.id == c.id; });
+        } else if constexpr (std::is_same_v<T, cmd::Quit>) {
+          if (state_.dirty && !c.discard)
+            view_.dialog = Dialog::discard;
+          else
+            quitting_ = true;
+        }
+      },
+      command);
+  changed_ = true;
+  ++picture_version_;
+}
+
+}  // namespace elbowroom

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// The editor without its window: carries out commands on the document, keeps what is computed in
+// the background up to date with it, and tells panels how things stand.
+//
+// Commands change the document by named steps of undo; whatever follows from the document (the
+// corrected clip, the strips of contacts, the posture at the hand target) is computed from it and
+// never edited. Work goes to two threads: one looks for contacts and plans, one follows the hand
+// target. Their results come in by update().
+//
+// All members are for the window's thread. Nothing here blocks for longer than a few milliseconds
+// but for laying corrections over the clip.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/editor/background.h"
+#include "app/editor/scene_work.h"
+#include "app/editor/target_work.h"
+#include "core/collision/surface_picker.h"
+#include "core/editing/history.h"
+#include "ui/commands.h"
+#include "ui/editor_state.h"
+
+namespace elbowroom {
+
+class Editor {
+ public:
+  // `wake` is called from other threads when update() has something to take in.
+  explicit Editor(std::function<void()> wake = {});
+  ~Editor();
+  Editor(const Editor&) = delete;
+  Editor& operator=(const Editor&) = delete;
+
+  // How things stand; good until the next call that is not const.
+  const EditorState& state() const { return state_; }
+  ViewState& view() { return view_; }
+  const ViewState& view() const { return view_; }
+
+  void handle(const Command& command);
+  void handle(const Commands& commands) {
+    for (const Command& command : commands) handle(command);
+  }
+
+  // Opens a document that is not in a file (the command line's scene, the demo).
+  void open(Document document, std::filesystem::path project = {});
+
+  // Takes in what has been computed and moves time while playing; `now` in seconds of any steady
+  // clock. True if something to be seen has changed.
+  bool update(double now);
+
+  // True while the picture changes by itself (playing), or a number in it does (a job's time).
+  bool moving() const { return state_.playing; }
+  bool working() const;
+  // Another number whenever something that a picture shows may have changed.
+  std::uint64_t picture_version() const { return picture_version_; }
+  // A quit that has been asked for, and agreed to if something is unsaved.
+  bool quitting() const { return quitting_; }
+
+  // Where the world stands at the state's time with the document's motion (or a clip instead).
+  const World* world() const;
+  void states_at(const std::shared_ptr<const Clip>& clip, double t,
+                 std::vector<ActorState>& states) const;
+
+  void tell(Notice::Kind kind, Error text);
+  std::vector<std::string>& recent_files() { return state_.recent_files; }
+
+ private:
+  // editor.cpp
+  void refresh();       // state_ from the document
+  void refresh_time();  // what of state_ depends on time
+  void document_changed();
+  void set_time(double t);
+  void edit(const std::string& name, Phase phase, const History::Edit& change);
+  PlanningWishes wishes() const;
+  void select_limb(int limb);
+  void select_problem(int limb, int window);
+  void go_to_problem(int direction);
+  void choose_preset(SamplingPreset preset);
+  void set_window(const command::SetWindow& wanted);
+  int limb_index(const std::string& name) const;
+
+  // editor_files.cpp
+  void open_files(const std::vector<std::filesystem::path>& paths);
+  void open_demo();
+  void read_files(Document document, std::filesystem::path project, bool fresh);
+  void opened(Session session, std::filesystem::path project, bool fresh);
+  void scene_changed();
+  void attach_object(const std::filesystem::path& file, const std::string& joint);
+  void remove_object(const std::filesystem::path& file);
+  void choose_clip(const std::string& name);
+  void save(const std::filesystem::path& path);
+  void export_to(const std::filesystem::path& path);
+  void remember(const std::filesystem::path& path);
+
+  // editor_plan.cpp
+  void prepare_contacts();
+  void rescan(const Interval& changed);
+  void look_for_contacts(std::optional<Interval> changed);
+  void plan();
+  void start_plan(int limb, Task task);
+  void cancel_plan();
+  void accept();
+  void replan(int correction);
+
+  // editor_target.cpp
+  void target_changed();
+  void click(const command::Click& click);
+  void target_from_posture();
+
+  struct Running {
+    std::stop_source stop{std::nostopstate};
+    std::uint64_t ticket = 0;  // of the newest job; older results are passed over
+    double began = 0;
+  };
+  void begin_job(Running& running, JobState& job, const std::string& what);
+
+  EditorState state_;
+  ViewState view_;
+  History history_;
+  std::filesystem::path project_;
+  std::shared_ptr<const Session> session_;
+  std::uint64_t session_number_ = 0;  // results of another session are passed over
+  std::vector<Correction> shown_corrections_;
+  std::uint64_t refreshed_revision_ = 0;
+  std::optional<HandTarget> shown_target_;
+  std::string shown_limb_;
+  std::shared_ptr<const Clip> shown_clip_;
+  double now_ = 0, played_at_ = -1;
+  int next_notice_ = 1;
+  std::vector<std::pair<int, double>> notice_ends_;  // id, when it goes by itself
+  std::uint64_t next_ticket_ = 1;
+  bool quitting_ = false;
+  bool changed_ = true;
+  std::uint64_t picture_version_ = 1;
+  mutable SurfacePicker picker_;
+
+  Running opening_, scanning_, planning_, exporting_, targeting_;
+  std::shared_ptr<Mailbox> mailbox_;
+  std::shared_ptr<SceneWork> scene_work_;
+  std::shared_ptr<TargetWork> target_work_;
+  // Threads last: they end first.
+  BackgroundThread files_thread_, scene_thread_, target_thread_;
+};
+
+}  // namespace elbowroom

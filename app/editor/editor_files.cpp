@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+// Files in and out of the editor.
+#include <algorithm>
+#include <cctype>
+
+#include "app/demo_document.h"
+#include "app/editor/editor.h"
+#include "core/editing/deliver_clip.h"
+#include "core/editing/motion.h"
+#include "core/io/gltf_reader.h"
+#include "core/io/project_file.h"
+
+namespace elbowroom {
+namespace {
+
+constexpr std::size_t kMostRecent = 12;
+
+bool has_extension(const std::filesystem::path& path, const char* extension) {
+  std::string own = path.extension().string();
+  std::transform(own.begin(), own.end(), own.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return own == extension;
+}
+
+// Which joint limbs a document names besides the usual ones.
+std::string extra_limb(const Document& document) {
+  for (const Task& task : document.tasks)
+    if (task.limb.find("..") != std::string::npos) return task.limb;
+  for (const Correction& correction : document.corrections)
+    if (correction.limb.find("..") != std::string::npos) return correction.limb;
+  return {};
+}
+
+struct Opening {
+  Document document;
+  std::filesystem::path project;
+  bool fresh = true;  // another document, not a change of the one that is open
+};
+
+}  // namespace
+
+void Editor::open(Document document, std::filesystem::path project) {
+  read_files(std::move(document), std::move(project), true);
+}
+
+void Editor::open_demo() {
+  auto document = demo_document();
+  if (!document) {
+    tell(Notice::Kind::error, document.error());
+    return;
+  }
+  open(std::move(*document));
+}
+
+void Editor::open_files(const std::vector<std::filesystem::path>& paths) {
+  if (paths.empty()) return;
+  // What a file is shows when it is read: in the background, for a glTF may be large.
+  begin_job(opening_, state_.opening, "Opening " + paths.front().filename().string());
+  const Document current = history_.document();
+  const bool has_scene = session_ != nullptr;
+  opening_.stop = files_thread_.run([this, paths, current, has_scene, ticket = opening_.ticket,
+                                     mailbox = mailbox_](const std::stop_token& stop) {
+    Opening opening;
+    std::optional<Error> error;
+    bool character = false;
+    std::vector<std::filesystem::path> objects;
+    for (const auto& path : paths) {
+      if (stop.stop_requested()) break;
+      if (has_extension(path, ".elbow")) {
+        auto document = read_project(path);
+        if (!document) {
+          error = document.error();
+          break;
+        }
+        opening.document = std::move(*document);
+        opening.project = path;
+        character = true;
+        continue;
+      }
+      ReadOptions options;
+      options.images = false;
+      const auto model = read_gltf(path, options);
+      if (!model) {
+        error = model.error();
+        break;
+      }
+      if (!(*model)->characters.empty() && !character) {
+        opening.document.scene.character = path;
+        character = true;
+      } else {
+        objects.push_back(path);
+      }
+    }
+    if (!error && !character && !has_scene)
+      error = Error{"there is no character in what was opened", paths.front().string(),
+                    "open a glTF file with a skinned figure first, then objects to go with it"};
+    if (!character && has_scene) {
+      opening.document = current;
+      opening.fresh = false;
+    }
+    for (const auto& object : objects) opening.document.scene.obstacles.push_back(object);
+    mailbox->post([this, ticket, opening = std::move(opening), error] {
+      if (ticket != opening_.ticket) return;
+      state_.opening.active = false;
+      if (error)
+        tell(Notice::Kind::error, *error);
+      else
+        read_files(opening.document, opening.project, opening.fresh);
+    });
+  });
+}
+
+void Editor::read_files(Document document, std::filesystem::path project, bool fresh) {
+  begin_job(
+      opening_, state_.opening,
+      "Opening " + (project.empty() ? document.scene.character : project).filename().string());
+  opening_.stop =
+      files_thread_.run([this, document = std::move(document), project = std::move(project), fresh,
+                         ticket = opening_.ticket, mailbox = mailbox_](const std::stop_token&) {
+        auto session = open_session(document, extra_limb(document));
+        mailbox->post([this, ticket, project, fresh,
+                       session = std::make_shared<Result<Session>>(std::move(session))] {
+          if (ticket != opening_.ticket) return;
+          state_.opening.active = false;
+          if (!*session) {
+            tell(Notice::Kind::error, session->error());
+            // What the document says again is what is open.
+            if (!fresh && session_)
+              edit("Keep the scene", Phase::committed,
+                   [this](Document& changed) { changed.scene = session_->document.scene; });
+            return;
+          }
+          opened(std::move(**session), project, fresh);
+        });
+      });
+}
+
+void Editor::opened(Session session, std::filesystem::path project, bool fresh) {
+  for (const auto& warning : session.warnings) tell(Notice::Kind::warning, {warning, "", ""});
+  if (!session.clip())
+    tell(Notice::Kind::warning,
+         {"this file has no animation to correct", session.document.scene.character.string(),
+          "open a file with a clip"});
+  const Document document = session.document;
+  planning_.stop.request_stop();
+  scanning_.stop.request_stop();
+  state_.planning.active = state_.scanning.active = false;
+  session_ = std::make_shared<const Session>(std::move(session));
+  ++session_number_;
+  if (fresh) {
+    project_ = std::move(project);
+    history_ = History(document);
+    refreshed_revision_ = 0;
+    view_.framed = false;
+    remember(project_.empty() ? document.scene.character : project_);
+  } else {
+    edit("Change scene", Phase::committed,
+         [&](Document& changed) { changed.scene = document.scene; });
+  }
+  state_.candidate.reset();
+  state_.failure.reset();
+  state_.strip.reset();
+  state_.source_strip.reset();
+  state_.source = session_->clip();
+  state_.clip.reset();
+  state_.corrections.clear();
+  shown_corrections_.clear();
+  shown_target_.reset();
+  shown_limb_.clear();
+  state_.playing = false;
+  if (state_.source) {
+    state_.begin = state_.source->begin;
+    state_.end = state_.source->end;
+    state_.frame_rate = std::clamp(key_rate(*state_.source), 1.0, 240.0);
+  } else {
+    state_.begin = state_.end = 0;
+  }
+  if (fresh || state_.time < state_.begin || state_.time > state_.end) state_.time = state_.begin;
+  if (fresh) view_.timeline = {};
+  refresh();
+  refreshed_revision_ = history_.revision();
+  prepare_contacts();
+  changed_ = true;
+}
+
+// Undo and redo go through changes of the scene too.
+void Editor::scene_changed() {
+  if (!session_ || history_.document().scene == session_->document.scene) return;
+  read_files(history_.document(), project_, false);
+}
+
+void Editor::attach_object(const std::filesystem::path& file, const std::string& joint) {
+  Document changed = history_.document();
+  auto& scene = changed.scene;
+  const auto held = std::find_if(scene.attachments.begin(), scene.attachments.end(),
+                                 [&](const AttachedFile& a) { return a.file == file; });
+  const bool was_held = held != scene.attachments.end();
+  if (was_held) scene.attachments.erase(held);
+  std::erase(scene.obstacles, file);
+  if (joint.empty())
+    scene.obstacles.push_back(file);
+  else
+    scene.attachments.push_back({file, joint, {}});
+  if (changed.scene == history_.document().scene) return;
+  read_files(std::move(changed), project_, false);
+}
+
+void Editor::remove_object(const std::filesystem::path& file) {
+  Document changed = history_.document();
+  std::erase(changed.scene.obstacles, file);
+  std::erase_if(changed.scene.attachments, [&](const AttachedFile& a) { return a.file == file; });
+  if (changed.scene == history_.document().scene) return;
+  read_files(std::move(changed), project_, false);
+}
+
+void Editor::choose_clip(const std::string& name) {
+  if (!session_ || history_.document().scene.clip == name) return;
+  Document changed = history_.document();
+  changed.scene.clip = name;
+  read_files(std::move(changed), project_, false);
+}
+
+void Editor::remember(const std::filesystem::path& path) {
+  if (path.empty()) return;
+  std::error_code error;
+  const std::string text = std::filesystem::absolute(path, error).string();
+  std::erase(state_.recent_files, text);
+  state_.recent_files.insert(state_.recent_files.begin(), text);
+  if (state_.recent_files.size() > kMostRecent) state_.recent_files.resize(kMostRecent);
+}
+
+void Editor::save(const std::filesystem::path& path) {
+  if (!session_) return;
+  history_.commit();
+  const auto target = path.empty() ? project_ : path;
+  if (target.empty()) {
+    view_.dialog = Dialog::save_project;
+    return;
+  }
+  if (Status saved = write_project(target, history_.document()); !saved) {
+    tell(Notice::Kind::error, saved.error());
+    return;
+  }
+  project_ = target;
+  history_.mark_saved();
+  remember(target);
+  refresh();
+  tell(Notice::Kind::good, {"Saved", target.filename().string(), ""});
+}
+
+void Editor::export_to(const std::filesystem::path& path) {
+  if (!session_ || !state_.clip || path.empty()) return;
+  for (std::size_t i = 0; i < state_.corrections.size(); ++i)
+    if (!state_.corrections[i].fits) {
+      tell(Notice::Kind::error, {"the correction \"" + history_.document().corrections[i].name +
+                                     "\" no longer fits the motion below it",
+                                 "", "replan, mute or delete it, then export again"});
+      return;
+    }
+  begin_job(exporting_, state_.exporting, "Exporting " + path.filename().string());
+  exporting_.stop = files_thread_.run([this, path, source = history_.document().scene.character,
+                                       clip = state_.clip, ticket = exporting_.ticket,
+                                       mailbox = mailbox_](const std::stop_token&) {
+    const auto exported = deliver_clip(source, *clip, path);
+    mailbox->post([this, ticket, path, exported] {
+      if (ticket != exporting_.ticket) return;
+      state_.exporting.active = false;
+      if (!exported) {
+        tell(Notice::Kind::error, exported.error());
+        return;
+      }
+      for (const auto& warning : exported->warnings) tell(Notice::Kind::warning, {warning, "", ""});
+      tell(Notice::Kind::good,
+           {exported->animations.empty()
+                ? "Exported a copy: there is nothing corrected"
+                : "Exported with the animation \"" + exported->animations.front().name + "\"",
+            path.filename().string(), ""});
+    });
+  });
+}
+
+}  // namespace elbowroom

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+// Contacts and plans: what the scene's thread is asked, and what becomes of its answers.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include "app/editor/editor.h"
+
+namespace elbowroom {
+namespace {
+
+std::string with_window(const std::string& what, const Interval& window) {
+  char text[160];
+  std::snprintf(text, sizeof text, "%s %.2f–%.2f s", what.c_str(), window.lower, window.upper);
+  return text;
+}
+
+// A name that no task of the document has yet.
+std::string unique_name(const Document& document, const std::string& wanted) {
+  std::set<std::string> taken;
+  for (const Task& task : document.tasks) taken.insert(task.name);
+  std::string name = wanted;
+  for (int n = 2; taken.contains(name); ++n) name = wanted + " (" + std::to_string(n) + ")";
+  return name;
+}
+
+}  // namespace
+
+void Editor::prepare_contacts() {
+  if (!session_ || !state_.source || session_->limbs.empty()) return;
+  begin_job(scanning_, state_.scanning, "Looking at the scene");
+  // A scene of its own for each session: a job of the old one may still be running.
+  scene_work_ = std::make_shared<SceneWork>();
+  target_work_ = std::make_shared<TargetWork>();
+  scanning_.stop =
+      scene_thread_.run([this, session = session_, work = scene_work_, ticket = scanning_.ticket,
+                         mailbox = mailbox_](const std::stop_token& stop) {
+        if (stop.stop_requested()) return;
+        Status prepared = work->prepare(session);
+        mailbox->post([this, ticket, prepared] {
+          if (ticket != scanning_.ticket) return;
+          state_.scanning.active = false;
+          if (prepared)
+            look_for_contacts({});
+          else
+            tell(Notice::Kind::error, prepared.error());
+        });
+      });
+}
+
+void Editor::rescan(const Interval& changed) { look_for_contacts(changed); }
+
+// The strip of the document's motion, anew or only where it has changed since the last one.
+void Editor::look_for_contacts(std::optional<Interval> changed) {
+  if (!session_ || !state_.clip || session_->limbs.empty()) return;
+  if (!state_.source_strip || !state_.strip || !state_.strip->complete()) changed.reset();
+  begin_job(scanning_, state_.scanning, "Looking for contacts");
+  scanning_.stop = scene_thread_.run([this, work = scene_work_, source = state_.source,
+                                      clip = state_.clip, known_source = state_.source_strip,
+                                      known = state_.strip, changed, ticket = scanning_.ticket,
+                                      mailbox = mailbox_](const std::stop_token& stop) {
+    if (!work->ready() || stop.stop_requested()) return;
+    const auto tell_strip = [&](bool of_source, bool of_clip, CollisionStrip strip) {
+      mailbox->post([this, ticket, of_source, of_clip,
+                     shared = std::make_shared<const CollisionStrip>(std::move(strip))] {
+        if (ticket != scanning_.ticket) return;
+        if (of_source) state_.source_strip = shared;
+        if (of_clip) state_.strip = shared;
+        const double length = shared->end - shared->begin;
+        state_.scanning.fraction = length > 0 ? (shared->computed_to - shared->begin) / length : 1;
+        if (of_clip && shared->complete()) state_.scanning.active = false;
+      });
+    };
+    const bool same = source == clip;
+    auto source_strip = known_source;
+    if (!source_strip || !source_strip->complete()) {
+      auto strip = work->look(source, stop, [&](const CollisionStrip& grown) {
+        if (!grown.complete()) tell_strip(true, same, grown);
+      });
+      if (stop.stop_requested()) return;
+      source_strip = std::make_shared<const CollisionStrip>(strip);
+      tell_strip(true, same, std::move(strip));
+    }
+    if (same) {
+      if (known_source && known_source->complete()) tell_strip(false, true, *source_strip);
+      return;
+    }
+    // Where no strip of the document's motion is known, what the source's says outside the
+    // corrections is as true of it.
+    CollisionStrip strip =
+        known && known->complete() && changed
+            ? work->look_again(clip, *known, changed->lower, changed->upper, stop)
+            : work->look(clip, stop, {});
+    if (!stop.stop_requested()) tell_strip(false, true, std::move(strip));
+  });
+}
+
+void Editor::set_window(const command::SetWindow& wanted) {
+  if (!state_.source || state_.limb < 0) return;
+  std::optional<Interval> window = wanted.window;
+  if (window) {
+    if (!std::isfinite(window->lower) || !std::isfinite(window->upper)) return;
+    if (window->lower > window->upper) std::swap(window->lower, window->upper);
+    const double least = std::min(2 / state_.frame_rate, state_.end - state_.begin);
+    window->lower = std::clamp(window->lower, state_.begin, state_.end - least);
+    window->upper = std::clamp(window->upper, window->lower + least, state_.end);
+  }
+  edit(window ? "Set window" : "Clear window", wanted.phase,
+       [&](Document& document) { document.draft.window = window; });
+}
+
+void Editor::plan() {
+  if (!session_ || !state_.clip) return;
+  history_.commit();
+  const Draft& draft = history_.document().draft;
+  if (state_.limb < 0) {
+    go_to_problem(1);
+    if (state_.limb < 0) {
+      tell(Notice::Kind::warning,
+           {"no limb is chosen", "", "click one on the body, or a red mark in the timeline"});
+      return;
+    }
+  }
+  Task task;
+  task.limb = draft.limb;
+  task.wishes = wishes();
+  if (draft.target) {
+    task.kind = TaskKind::reach;
+    task.target = draft.target;
+    task.window = draft.window;
+    if (task.window &&
+        !(task.window->lower < draft.target->time && draft.target->time < task.window->upper))
+      task.window.reset();
+    char text[96];
+    std::snprintf(text, sizeof text, "%s reach at %.2f s", limb_title(draft.limb).c_str(),
+                  draft.target->time);
+    task.name = text;
+  } else {
+    if (!draft.window) {
+      const auto& strip = state_.strip;
+      const auto limb = static_cast<std::size_t>(state_.limb);
+      if (!strip || strip->limbs[limb].windows.empty()) {
+        tell(Notice::Kind::warning,
+             {limb_title(draft.limb) + " has no window to plan", "",
+              "it collides nowhere; drag on its row in the timeline to choose a window all the "
+              "same"});
+        return;
+      }
+      select_problem(state_.limb, 0);
+    }
+    task.window = history_.document().draft.window;
+    task.name = with_window(limb_title(task.limb), *task.window);
+  }
+  start_plan(state_.limb, std::move(task));
+}
+
+void Editor::start_plan(int limb, Task task) {
+  task.name = unique_name(history_.document(), task.name);
+  state_.failure.reset();
+  state_.candidate.reset();
+  // A scan that is under way waits: the plan is what somebody is looking at.
+  const bool scan_again = state_.scanning.active && state_.scanning.what == "Looking for contacts";
+  if (scan_again) scanning_.stop.request_stop();
+  begin_job(planning_, state_.planning, "Planning " + limb_title(task.limb));
+  planning_.stop = scene_thread_.run([this, work = scene_work_, clip = state_.clip, limb, task,
+                                      ticket = planning_.ticket,
+                                      mailbox = mailbox_](const std::stop_token& stop) {
+    if (!work->ready() || stop.stop_requested()) return;
+    const auto progress = [&](const Progress& p) {
+      mailbox->post([this, ticket, p] {
+        if (ticket != planning_.ticket) return;
+        state_.planning.fraction = p.fraction;
+        state_.planning.what = p.phase;
+      });
+    };
+    auto outcome = work->plan(clip, limb, task, stop, progress);
+    mailbox->post([this, ticket, clip, outcome = std::move(outcome)] {
+      if (ticket != planning_.ticket || clip != state_.clip) return;
+      state_.planning.active = false;
+      state_.candidate = outcome.candidate;
+      state_.failure = outcome.failure;
+      if (outcome.error) tell(Notice::Kind::error, *outcome.error);
+      refresh_time();
+    });
+  });
+  if (scan_again) look_for_contacts({});
+}
+
+void Editor::cancel_plan() {
+  planning_.stop.request_stop();
+  planning_.ticket = next_ticket_++;
+  state_.planning.active = false;
+}
+
+void Editor::accept() {
+  if (!state_.candidate) return;
+  const Candidate candidate = *state_.candidate;
+  edit("Accept " + candidate.task.name, Phase::committed, [&](Document& document) {
+    document.tasks.push_back(candidate.task);
+    Correction correction = candidate.correction;
+    correction.name = candidate.task.name;
+    correction.task = candidate.task.name;
+    document.corrections.push_back(std::move(correction));
+    document.draft.window.reset();
+    document.draft.target.reset();
+  });
+  state_.candidate.reset();
+  state_.selected_correction = static_cast<int>(history_.document().corrections.size()) - 1;
+  refresh_time();
+}
+
+// The correction's task goes back to where it can be planned anew: its limb, window and wishes are
+// chosen, and it is taken away.
+void Editor::replan(int index) {
+  const Document& document = history_.document();
+  if (index < 0 || index >= static_cast<int>(document.corrections.size())) return;
+  const Correction correction = document.corrections[static_cast<std::size_t>(index)];
+  if (limb_index(correction.limb) < 0) return;
+  std::optional<HandTarget> target;
+  PlanningWishes wishes = correction.made_with;
+  for (const Task& task : document.tasks)
+    if (task.name == correction.task && !correction.task.empty()) {
+      target = task.target;
+      wishes = task.wishes;
+    }
+  edit("Replan " + correction.name, Phase::committed, [&](Document& changed) {
+    changed.corrections.erase(changed.corrections.begin() + index);
+    std::erase_if(changed.tasks, [&](const Task& task) {
+      return task.name == correction.task && !correction.task.empty();
+    });
+    changed.draft.limb = correction.limb;
+    changed.draft.window =
+        Interval{static_cast<double>(correction.begin), static_cast<double>(correction.end)};
+    changed.draft.target = target;
+    changed.draft.wishes[correction.limb] = wishes;
+  });
+  plan();
+}
+
+}  // namespace elbowroom

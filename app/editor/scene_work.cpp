@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "app/editor/scene_work.h"
+
+#include <utility>
+
+#include "core/editing/plan_window.h"
+#include "core/editing/reach.h"
+
+namespace elbowroom {
+namespace {
+
+PlanFailure failure_of(const Task& task, const WindowReport& report) {
+  PlanFailure failure;
+  failure.limb = task.limb;
+  failure.reason = report.reason;
+  failure.blocked_by = report.blocked_by;
+  failure.begin = report.begin;
+  failure.end = report.end;
+  return failure;
+}
+
+}  // namespace
+
+Status SceneWork::prepare(std::shared_ptr<const Session> session) {
+  scene_.reset();
+  session_ = std::move(session);
+  auto scene = contacts_of(*session_);
+  if (!scene) return scene.error();
+  scene_ = std::move(*scene);
+  return Done{};
+}
+
+CollisionStrip SceneWork::look(std::shared_ptr<const Clip> clip, std::stop_token stop,
+                               const StripSink& grown) {
+  const double begin = clip->begin, end = clip->end;
+  scene_->set_clip(std::move(clip));
+  return make_collision_strip(*scene_, begin, end, stop, grown);
+}
+
+CollisionStrip SceneWork::look_again(std::shared_ptr<const Clip> clip, const CollisionStrip& before,
+                                     double from, double to, std::stop_token stop) {
+  scene_->set_clip(std::move(clip));
+  return renew_collision_strip(*scene_, before, from, to, stop);
+}
+
+PlanOutcome SceneWork::plan(std::shared_ptr<const Clip> clip, int limb, const Task& task,
+                            std::stop_token stop, const ProgressSink& progress) {
+  PlanOutcome outcome;
+  scene_->set_clip(clip);
+  WindowReport report;
+  std::optional<Correction> correction;
+  if (task.kind == TaskKind::reach) {
+    auto reached = reach(*scene_, limb, task, stop, progress);
+    if (!reached) {
+      outcome.error = reached.error();
+      return outcome;
+    }
+    if (!reached->windows.empty()) report = reached->windows.front();
+    if (!reached->corrections.empty()) correction = std::move(reached->corrections.front());
+  } else {
+    auto planned = plan_window(*scene_, clip, limb, task.window->lower, task.window->upper,
+                               task.wishes, stop, progress);
+    report = std::move(planned.report);
+    correction = std::move(planned.correction);
+  }
+  if (stop.stop_requested()) return outcome;
+  if (!correction) {
+    outcome.failure = failure_of(task, report);
+    return outcome;
+  }
+  const Skeleton& skeleton = session_->scene.model().skeleton;
+  auto laid = lay_over(skeleton, *clip, {*correction});
+  if (!laid) {
+    outcome.error = laid.error();
+    return outcome;
+  }
+  Candidate candidate;
+  candidate.task = task;
+  // The task is what makes the same correction again: with the window that was planned.
+  candidate.task.window =
+      Interval{static_cast<double>(correction->begin), static_cast<double>(correction->end)};
+  candidate.correction = std::move(*correction);
+  candidate.report = std::move(report);
+  candidate.clip = std::make_shared<const Clip>(std::move(*laid));
+  outcome.candidate = std::move(candidate);
+  return outcome;
+}
+
+}  // namespace elbowroom

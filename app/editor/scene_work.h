@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// What the editor's background thread does with a scene: open files, look for contacts, plan.
+//
+// A SceneWork and its SceneCollision belong to that thread alone; results are values that can be
+// handed over. Every call answers its stop token within a fraction of a second, but for the
+// building of a scene's contacts (`prepare`), which takes as long as it takes.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <stop_token>
+
+#include "core/editing/collision_strip.h"
+#include "core/editing/session.h"
+#include "ui/editor_state.h"
+
+namespace elbowroom {
+
+// A plan's outcome: a candidate, a failure, or neither when it was cancelled.
+struct PlanOutcome {
+  std::optional<Candidate> candidate;
+  std::optional<PlanFailure> failure;
+  std::optional<Error> error;  // the question itself was wrong
+};
+
+class SceneWork {
+ public:
+  // Makes the scene's contacts ready; the whole clip's. Error: no clip, no limbs.
+  Status prepare(std::shared_ptr<const Session> session);
+  bool ready() const { return scene_.has_value(); }
+
+  CollisionStrip look(std::shared_ptr<const Clip> clip, std::stop_token stop,
+                      const StripSink& grown);
+  // After a change within [from, to] only.
+  CollisionStrip look_again(std::shared_ptr<const Clip> clip, const CollisionStrip& before,
+                            double from, double to, std::stop_token stop);
+
+  // Plans the task's one limb on `clip`, which is the document's motion so far. The task has a
+  // window, or a target.
+  PlanOutcome plan(std::shared_ptr<const Clip> clip, int limb, const Task& task,
+                   std::stop_token stop, const ProgressSink& progress);
+
+ private:
+  std::shared_ptr<const Session> session_;
+  std::optional<SceneCollision> scene_;
+};
+
+}  // namespace elbowroom

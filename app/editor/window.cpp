@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: MIT
+#include "app/editor/window.h"
+
+#include <epoxy/gl.h>
+// epoxy first: GLFW then brings no GL header of its own.
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <imgui_impl_glfw.h>
+#include <imgui_impl_opengl3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+
+#include "app/editor/editor.h"
+#include "app/editor/key_names.h"
+#include "app/editor/settings.h"
+#include "render/scene_renderer.h"
+#include "ui/actions.h"
+#include "ui/editor_ui.h"
+
+namespace elbowroom {
+namespace {
+
+constexpr int kFramesAfterAnEvent = 3;  // Dear ImGui settles its layout within these
+constexpr double kWorkingWait = 0.1;    // s, between frames that only show a job's progress
+constexpr int kLeastWidth = 800, kLeastHeight = 560;
+
+std::string last_glfw_error;
+
+void remember_error(int, const char* text) { last_glfw_error = text ? text : ""; }
+
+// GLFW and its one window, for as long as this lives.
+class Glfw {
+ public:
+  Glfw() {
+    glfwSetErrorCallback(remember_error);
+    ready_ = glfwInit() == GLFW_TRUE;
+  }
+  ~Glfw() {
+    if (window) glfwDestroyWindow(window);
+    if (ready_) glfwTerminate();
+  }
+  Glfw(const Glfw&) = delete;
+  Glfw& operator=(const Glfw&) = delete;
+  bool ready() const { return ready_; }
+
+  GLFWwindow* window = nullptr;
+
+ private:
+  bool ready_ = false;
+};
+
+// What callbacks leave for the loop.
+struct Input {
+  int events = 0;
+  double first_event = -1;  // time of the oldest one that no frame has shown yet
+  std::vector<std::filesystem::path> dropped;
+
+  void note() {
+    ++events;
+    if (first_event < 0) first_event = glfwGetTime();
+  }
+};
+
+Input& input_of(GLFWwindow* window) {
+  return *static_cast<Input*>(glfwGetWindowUserPointer(window));
+}
+
+void watch_events(GLFWwindow* window) {
+  glfwSetKeyCallback(window, [](GLFWwindow* w, int, int, int, int) { input_of(w).note(); });
+  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { input_of(w).note(); });
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { input_of(w).note(); });
+  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { input_of(w).note(); });
+  glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { input_of(w).note(); });
+  glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { input_of(w).note(); });
+  glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { input_of(w).note(); });
+  glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { input_of(w).note(); });
+  glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { input_of(w).note(); });
+  glfwSetWindowCloseCallback(window, [](GLFWwindow* w) { input_of(w).note(); });
+  glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+    for (int i = 0; i < count; ++i) input_of(w).dropped.emplace_back(paths[i]);
+    input_of(w).note();
+  });
+}
+
+Style viewport_style(bool light) {
+  Style style;
+  if (light) {
+    style.backdrop_centre = 0xf2f3f5;
+    style.backdrop_edge = 0xc9cdd4;
+    style.grid = 0x8a909b;
+    style.ground_shadow_opacity = 0.35f;
+  }
+  return style;
+}
+
+// Dear ImGui with its two backends.
+class Gui {
+ public:
+  explicit Gui(GLFWwindow* window) {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;  // what is kept stands in our own settings
+    ImGui::GetIO().ConfigWindowsMoveFromTitleBarOnly = true;
+    ImGui_ImplGlfw_InitForOpenGL(window, true);  // chains to the callbacks set before
+    ImGui_ImplOpenGL3_Init("#version 450 core");
+  }
+  ~Gui() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+  }
+  Gui(const Gui&) = delete;
+  Gui& operator=(const Gui&) = delete;
+};
+
+double content_scale(GLFWwindow* window) {
+  float x = 1, y = 1;
+  glfwGetWindowContentScale(window, &x, &y);
+  return std::max(1.0, static_cast<double>(std::max(x, y)));
+}
+
+std::string title_of(const EditorState& state) {
+  if (state.name.empty()) return "Elbowroom";
+  return state.name + (state.dirty ? " • — " : " — ") + "Elbowroom";
+}
+
+// What a picture of the viewport rests on.
+struct PictureKey {
+  std::uint64_t version = 0;
+  Camera camera;
+  Compare compare = Compare::both;
+  bool trails = false, limb = false, light = false;
+  int width = 0, height = 0;
+  bool operator==(const PictureKey&) const = default;
+};
+
+class EditorWindow {
+ public:
+  EditorWindow(GLFWwindow* window, SceneRenderer renderer, const Settings& settings)
+      : window_(window),
+        gui_(window),
+        renderer_(std::move(renderer)),
+        editor_([] { glfwPostEmptyEvent(); }) {
+    editor_.view() = settings.view;
+    editor_.recent_files() = settings.recent_files;
+    restyle();
+  }
+
+  Editor& editor() { return editor_; }
+
+  void run(Input& input, std::ofstream* log) {
+    int frames = kFramesAfterAnEvent;
+    std::string title;
+    while (true) {
+      if (frames > 0 || editor_.moving())
+        glfwPollEvents();
+      else if (editor_.working() || ui_->animating())
+        glfwWaitEventsTimeout(kWorkingWait);
+      else
+        glfwWaitEvents();
+      const double start = glfwGetTime();
+      if (glfwWindowShouldClose(window_)) {
+        glfwSetWindowShouldClose(window_, GLFW_FALSE);
+        editor_.handle(command::Quit{});
+      }
+      if (!input.dropped.empty())
+        editor_.handle(command::OpenFiles{std::exchange(input.dropped, {})});
+      const bool changed = editor_.update(start);
+      if (input.events > 0 || changed) frames = kFramesAfterAnEvent;
+      const bool alive = editor_.moving() || editor_.working() || ui_->animating();
+      if (frames == 0 && !alive) continue;
+      const double asked = input.first_event;
+      const int events = std::exchange(input.events, 0);
+      input.first_event = -1;
+      if (frames > 0) --frames;
+      frame();
+      const double end = glfwGetTime();
+      if (log)
+        *log << start << ' ' << (asked >= 0 ? (end - asked) * 1e3 : -1.0) << ' '
+             << (end - start) * 1e3 << ' ' << events << ' '
+             << (editor_.state().planning.active   ? "planning"
+                 : editor_.state().scanning.active ? "scanning"
+                 : editor_.state().playing         ? "playing"
+                                                   : "still")
+             << '\n'
+             << std::flush;
+      if (editor_.quitting()) return;
+      const std::string wanted = title_of(editor_.state());
+      if (wanted != title) {
+        title = wanted;
+        glfwSetWindowTitle(window_, title.c_str());
+      }
+      if (editor_.view().scale != scale_ || editor_.view().light_theme != light_ ||
+          content_scale(window_) != content_) {
+        restyle();
+        frames = kFramesAfterAnEvent;
+      }
+    }
+  }
+
+ private:
+  void restyle() {
+    scale_ = editor_.view().scale;
+    light_ = editor_.view().light_theme;
+    content_ = content_scale(window_);
+    const Theme theme = light_ ? light_theme() : dark_theme();
+    const double scale = scale_ * content_;
+    apply(theme, scale);
+    const Fonts fonts = load_fonts(*ImGui::GetIO().Fonts, theme, scale);
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    if (ui_)
+      ui_->restyle(theme, fonts, scale);
+    else
+      ui_ = std::make_unique<Ui>(theme, fonts, scale);
+  }
+
+  void frame() {
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+    ui_->begin_frame();
+    Commands commands;
+    keys(commands);
+    editor_ui_.draw(*ui_, editor_.state(), editor_.view(), commands);
+    ImGui::Render();
+    editor_.handle(commands);
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window_, &width, &height);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, width, height);
+    const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(ui_->palette().ground);
+    glClearColor(ground.x, ground.y, ground.z, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    paint_viewport(height);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    glfwSwapBuffers(window_);
+  }
+
+  // The picture is drawn only when something in it has changed; else the last one is shown again.
+  void paint_viewport(int window_height) {
+    const Rect rect = editor_ui_.viewport();
+    const int width = static_cast<int>(rect.width()), height = static_cast<int>(rect.height());
+    if (width < 1 || height < 1) return;
+    const ViewState& view = editor_.view();
+    const PictureKey key{editor_.picture_version(),
+                         view.camera,
+                         view.compare,
+                         view.show_trails,
+                         view.show_limb,
+                         light_,
+                         width,
+                         height};
+    if (!(key == painted_)) {
+      const Frame& frame =
+          editor_ui_.frame(editor_.state(), view, static_cast<double>(ui_->scale()));
+      const Status drawn =
+          renderer_.draw(frame, view.camera, viewport_style(light_), {width, height});
+      if (!drawn) {
+        editor_.tell(Notice::Kind::error, drawn.error());
+        return;
+      }
+      painted_ = key;
+    }
+    renderer_.present(0, static_cast<int>(rect.min.x),
+                      window_height - static_cast<int>(rect.min.y) - height);
+  }
+
+  // Shortcuts, unless a text is being typed.
+  void keys(Commands& commands) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.WantTextInput || editor_.view().dialog != Dialog::none) return;
+    for (int key = 0; key <= GLFW_KEY_LAST; ++key) {
+      if (!ImGui::IsKeyPressed(key, true)) continue;
+      Shortcut pressed = shortcut_of_glfw(key);
+      if (pressed.key == Shortcut::none) continue;
+      pressed.ctrl = io.KeyCtrl;
+      pressed.shift = io.KeyShift;
+      pressed.alt = io.KeyAlt;
+      pressed.repeats = !ImGui::IsKeyPressed(key, false);
+      press(pressed, editor_.state(), editor_.view(), commands);
+    }
+  }
+
+  GLFWwindow* window_;
+  Gui gui_;
+  SceneRenderer renderer_;
+  Editor editor_;
+  EditorUi editor_ui_;
+  std::unique_ptr<Ui> ui_;
+  double scale_ = 0, content_ = 1;
+  bool light_ = false;
+  PictureKey painted_;
+};
+
+}  // namespace
+
+Status run_editor(const WindowOptions& options) {
+  Glfw glfw;
+  if (!glfw.ready())
+    return Error{"there is no display to open a window on (" + last_glfw_error + ")", "",
+                 "set DISPLAY, or use the commands that need none: elbowroom --help"};
+  const auto settings_path = settings_file();
+  Settings settings = read_settings(settings_path);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  // No larger than the screen.
+  if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
+    int x = 0, y = 0, width = 0, height = 0;
+    glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
+    if (width > 0) settings.window_width = std::min(settings.window_width, width);
+    if (height > 0) settings.window_height = std::min(settings.window_height, height);
+  }
+  glfw.window = glfwCreateWindow(settings.window_width, settings.window_height, "Elbowroom",
+                                 nullptr, nullptr);
+  if (!glfw.window)
+    return Error{"the window could not be opened (" + last_glfw_error + ")", "",
+                 "Elbowroom needs OpenGL 4.5; on a machine without it, Mesa's software driver "
+                 "(package libgl1-mesa-dri) will do"};
+  glfwSetWindowSizeLimits(glfw.window, kLeastWidth, kLeastHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  glfwMakeContextCurrent(glfw.window);
+  glfwSwapInterval(1);
+  auto renderer = SceneRenderer::create();
+  if (!renderer) return renderer.error();
+
+  std::ofstream log;
+  if (!options.frame_log.empty()) log.open(options.frame_log);
+  Input input;
+  glfwSetWindowUserPointer(glfw.window, &input);
+  watch_events(glfw.window);
+  EditorWindow window(glfw.window, std::move(*renderer), settings);
+  if (options.files.empty())
+    window.editor().handle(command::OpenDemo{});
+  else
+    window.editor().handle(command::OpenFiles{options.files});
+  window.run(input, log.is_open() ? &log : nullptr);
+
+  settings.view = window.editor().view();
+  settings.recent_files = window.editor().recent_files();
+  glfwGetWindowSize(glfw.window, &settings.window_width, &settings.window_height);
+  return write_settings(settings_path, settings);
+}
+
+}  // namespace elbowroom

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The editor in a window: GLFW and OpenGL around the Editor and its user interface.
+//
+// Draws on demand: without input, playback or news from the background it waits for events and
+// costs nothing.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace elbowroom {
+
+struct WindowOptions {
+  std::vector<std::filesystem::path> files;  // none: the demo scene
+  // Writes a line for each frame submitted: when (s), how long after the event that asked for it
+  // (ms), how long it took (ms), what was going on. For tests and measuring; empty: none.
+  std::filesystem::path frame_log;
+};
+
+// Opens the window and runs until it is closed. Error: no display, or no OpenGL 4.5.
+Status run_editor(const WindowOptions& options);
+
+}  // namespace elbowroom

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// What an animator can ask of the editor, as values. Panels, shortcuts and tests emit them; the
+// editor (app/editor) carries them out, each change of the document as one named step of undo.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/editing/document.h"
+#include "core/editing/sampling_presets.h"
+
+namespace elbowroom {
+
+// Where in a drag a change comes from: one drag is one step of undo.
+enum class Phase { begin, changing, committed, cancelled };
+
+namespace command {
+
+// Files. Which of the paths is the character, which obstacles, the editor finds out.
+struct OpenFiles {
+  std::vector<std::filesystem::path> paths;
+};
+struct OpenDemo {};
+struct SaveProject {
+  std::filesystem::path path;  // empty: where it was saved last
+};
+struct Export {
+  std::filesystem::path path;
+};
+struct AttachObject {  // hold an obstacle file's objects in a hand; empty joint: put it down
+  std::filesystem::path file;
+  std::string joint;
+};
+struct RemoveObject {
+  std::filesystem::path file;
+};
+struct ChooseClip {
+  std::string name;
+};
+
+struct Undo {};
+struct Redo {};
+
+// Time.
+struct Scrub {
+  double t = 0;
+};
+struct TogglePlay {};
+struct ToggleLoop {};
+struct SetSpeed {
+  double speed = 1;
+};
+struct StepFrames {
+  int frames = 1;
+};
+struct GoToEnd {
+  bool last = false;
+};
+struct GoToProblem {  // of the selected limb, else of any
+  int direction = 1;
+};
+
+// What is worked on.
+struct SelectLimb {
+  int limb = -1;
+};
+struct SelectProblem {  // limb and window of one of the strip's proposals
+  int limb = -1;
+  int window = 0;
+};
+struct SetWindow {
+  std::optional<Interval> window;
+  Phase phase = Phase::committed;
+};
+struct SetSampling {
+  std::string dof;
+  std::optional<Interval> interval;  // none: the limb's own
+  Phase phase = Phase::committed;
+};
+struct ChoosePreset {
+  SamplingPreset preset = SamplingPreset::paper;
+};
+struct SetWishes {  // seed, clearance, budget; the sampling intervals stay
+  PlanningWishes wishes;
+  std::string what;  // the step's name, "Seed 7"
+  Phase phase = Phase::committed;
+};
+
+// Planning.
+struct Plan {};
+struct CancelPlan {};
+struct Accept {};
+struct Discard {};
+
+// Corrections.
+struct SelectCorrection {
+  int index = -1;
+};
+struct MuteCorrection {
+  int index = -1;
+};
+struct DeleteCorrection {
+  int index = -1;
+};
+struct RenameCorrection {
+  int index = -1;
+  std::string name;
+};
+struct ReplanCorrection {
+  int index = -1;
+};
+
+// The hand target.
+struct SetTarget {
+  std::optional<HandTarget> target;  // none: no target
+  Phase phase = Phase::committed;
+  std::string what = "Move hand target";
+};
+// The selected limb's end where it is now.
+struct TargetFromPosture {};
+
+// A click in the viewport: a ray in the world.
+struct Click {
+  Vec3 origin{0.0}, direction{0.0, 0.0, -1.0};
+  bool place_target = false;  // else the limb that is hit is selected
+};
+
+struct DismissNotice {
+  int id = 0;
+};
+struct Quit {
+  bool discard = false;  // without asking for what is not saved
+};
+
+}  // namespace command
+
+using Command =
+    std::variant<command::OpenFiles, command::OpenDemo, command::SaveProject, command::Export,
+                 command::AttachObject, command::RemoveObject, command::ChooseClip, command::Undo,
+                 command::Redo, command::Scrub, command::TogglePlay, command::ToggleLoop,
+                 command::SetSpeed, command::StepFrames, command::GoToEnd, command::GoToProblem,
+                 command::SelectLimb, command::SelectProblem, command::SetWindow,
+                 command::SetSampling, command::ChoosePreset, command::SetWishes, command::Plan,
+                 command::CancelPlan, command::Accept, command::Discard, command::SelectCorrection,
+                 command::MuteCorrection, command::DeleteCorrection, command::RenameCorrection,
+                 command::ReplanCorrection, command::SetTarget, command::TargetFromPosture,
+                 command::Click, command::DismissNotice, command::Quit>;
+
+using Commands = std::vector<Command>;
+
+}  // namespace elbowroom

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// The dialogs that lie over the window: files in and out, the sheet of shortcuts, unsaved work.
+#pragma once
+
+#include "ui/panels/panel.h"
+#include "ui/toolkit/file_dialog.h"
+
+namespace elbowroom {
+
+class Dialogs {
+ public:
+  // In every frame, after the panels.
+  void draw(const PanelContext& context);
+
+ private:
+  void files(const PanelContext& context);
+  void shortcuts(const PanelContext& context);
+  void unsaved(const PanelContext& context);
+
+  FileDialog file_dialog_;
+  Dialog shown_ = Dialog::none;
+  bool quit_after_saving_ = false;
+};
+
+}  // namespace elbowroom

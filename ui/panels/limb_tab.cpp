@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// The limb panel: per DOF its anatomical name, limits, value and sampling interval [SKF07 4.2].
+#include "ui/panels/panel.h"
+#include "ui/toolkit/fields.h"
+#include "ui/toolkit/range_slider.h"
+#include "ui/toolkit/text.h"
+
+namespace elbowroom {
+namespace {
+
+Phase phase_of(const Edit& edit) {
+  if (edit.cancelled) return Phase::cancelled;
+  return edit.committed ? Phase::committed : Phase::changing;
+}
+
+void presets(const PanelContext& context, const LimbModel& limb) {
+  std::map<std::string, Interval> sampling;
+  const Draft& draft = context.state.document->draft;
+  if (const auto found = draft.wishes.find(draft.limb); found != draft.wishes.end())
+    sampling = found->second.sampling;
+  std::vector<std::string> names;
+  int chosen = -1;
+  const auto own = preset_of(limb, sampling);
+  for (const SamplingPreset preset : kSamplingPresets) {
+    if (own && *own == preset) chosen = static_cast<int>(names.size());
+    names.push_back(preset_title(preset, limb.limb));
+  }
+  if (chosen < 0) {
+    chosen = static_cast<int>(names.size());
+    names.emplace_back("Own");
+  }
+  ComboOptions options;
+  options.quiet = true;
+  options.hint = "Ready-made intervals: where the planner looks for postures";
+  if (combo(context.ui, "Preset", chosen, names, options) &&
+      chosen < static_cast<int>(std::size(kSamplingPresets)))
+    context.emit(command::ChoosePreset{kSamplingPresets[chosen]});
+}
+
+}  // namespace
+
+void draw_limb_tab(const PanelContext& context) {
+  Ui& ui = context.ui;
+  const LimbModel& limb = *context.state.limb_model();
+  heading(ui, "Sampling intervals");
+  presets(context, limb);
+  for (std::size_t d = 0; d < context.state.dofs.size(); ++d) {
+    const DofView& dof = context.state.dofs[d];
+    RangeModel range;
+    range.limit_low = dof.lower;
+    range.limit_high = dof.upper;
+    range.low = dof.sample_lower;
+    range.high = dof.sample_upper;
+    range.default_low = dof.default_lower;
+    range.default_high = dof.default_upper;
+    range.current = dof.value;
+    range.clip = dof.clip_value;
+    RangeOptions options;
+    options.hint = "Where the planner looks for postures; double-click resets";
+    const Edit edit = range_slider(ui, dof.name, range, options);
+    if (edit.cancelled)
+      context.emit(
+          command::SetSampling{dof.name, Interval{range.low, range.high}, Phase::cancelled});
+    else if (edit)
+      context.emit(command::SetSampling{dof.name, Interval{range.low, range.high}, phase_of(edit)});
+  }
+}
+
+}  // namespace elbowroom

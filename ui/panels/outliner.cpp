@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// What the scene holds: the character with its limbs and how they fare, the objects, the stack of
+// corrections.
+#include <algorithm>
+
+#include "ui/panels/panel.h"
+#include "ui/toolkit/lists.h"
+#include "ui/toolkit/menus.h"
+#include "ui/toolkit/text.h"
+
+namespace elbowroom {
+namespace {
+
+std::string thousands(int triangles) {
+  if (triangles < 1000) return std::to_string(triangles) + " tris";
+  return number_text(triangles / 1000.0, 1) + "k tris";
+}
+
+void draw_limb(const PanelContext& context, int index) {
+  const EditorState& state = context.state;
+  const LimbModel& limb = state.session->limbs[static_cast<std::size_t>(index)];
+  RowOptions row;
+  row.indent = 1;
+  row.icon = Icon::dot;
+  row.selected = state.limb == index;
+  row.hint = "Click to work on this limb; double-click chooses its first problem";
+  std::string badge;
+  const auto& strip = state.strip;
+  if (!strip || !strip->complete()) {
+    row.icon = Icon::ring;
+    row.icon_tone = Tone::faint;
+    row.right = state.source ? "looking…" : "";
+  } else {
+    const auto problems = strip->limbs[static_cast<std::size_t>(index)].windows.size();
+    if (problems == 0) {
+      row.icon_tone = Tone::good;
+      row.right = "clear";
+    } else {
+      row.icon_tone = Tone::problem;
+      badge = std::to_string(problems) + (problems == 1 ? " problem" : " problems");
+      row.badge = badge;
+    }
+  }
+  const RowResult result = list_row(context.ui, limb_title(limb.limb.name), row);
+  if (result.double_clicked)
+    context.emit(command::SelectProblem{index, 0});
+  else if (result.clicked)
+    context.emit(command::SelectLimb{index});
+}
+
+void object_menu(const PanelContext& context, const std::filesystem::path& file, bool held) {
+  if (!begin_popup(context.ui, "object")) return;
+  for (const LimbModel& limb : context.state.session->limbs) {
+    if (!limb.limb.is_arm()) continue;
+    const auto& joints = context.state.session->scene.model().skeleton.joints;
+    const std::string& joint = joints[static_cast<std::size_t>(limb.limb.end)].name;
+    if (!joint.empty() && menu_item(context.ui, limb.limb.is_left() ? "Hold in the left hand"
+                                                                    : "Hold in the right hand"))
+      context.emit(command::AttachObject{file, joint});
+  }
+  if (held && menu_item(context.ui, "Put down")) context.emit(command::AttachObject{file, ""});
+  menu_separator(context.ui);
+  if (menu_item(context.ui, "Remove from the scene")) context.emit(command::RemoveObject{file});
+  end_popup(context.ui);
+}
+
+void draw_object(const PanelContext& context, int number, const std::filesystem::path& file,
+                 const std::string& held_by) {
+  const auto scope = context.ui.scope(number);
+  RowOptions row;
+  row.indent = 1;
+  row.icon = Icon::none;
+  const std::string right = held_by.empty() ? "obstacle" : "held, " + held_by;
+  row.right = right;
+  row.hint = "Right click to put it into a hand or to take it out of the scene";
+  if (list_row(context.ui, file.stem().string(), row).context) ImGui::OpenPopup("object");
+  object_menu(context, file, !held_by.empty());
+}
+
+void draw_scene(const PanelContext& context) {
+  const EditorState& state = context.state;
+  const Character& character = state.session->character();
+  heading(context.ui, "Scene");
+  RowOptions row;
+  row.icon = Icon::none;
+  const std::string triangles = thousands(character.triangles);
+  row.right = triangles;
+  list_row(context.ui, character.name.empty() ? "Character" : character.name, row);
+  for (std::size_t i = 0; i < state.session->limbs.size(); ++i)
+    draw_limb(context, static_cast<int>(i));
+  const SceneDescription& scene = state.document->scene;
+  const std::size_t objects = scene.obstacles.size() + scene.attachments.size();
+  if (objects == 0) return;
+  RowOptions head;
+  const std::string count = std::to_string(objects);
+  head.right = count;
+  list_row(context.ui, "Objects", head);
+  int number = 0;
+  for (const auto& attached : scene.attachments)
+    draw_object(context, number++, attached.file, attached.joint);
+  for (const auto& obstacle : scene.obstacles) draw_object(context, number++, obstacle, "");
+}
+
+void draw_corrections(const PanelContext& context) {
+  const EditorState& state = context.state;
+  const auto& corrections = state.document->corrections;
+  heading(context.ui, "Corrections", corrections.empty() ? "" : std::to_string(corrections.size()));
+  if (corrections.empty()) {
+    note(context.ui, "Plans that you accept are kept here, over the clip.", Tone::faint);
+  }
+  // The newest lies on top, as in any stack of layers; the clip under all.
+  for (std::size_t n = corrections.size(); n-- > 0;) {
+    const Correction& correction = corrections[n];
+    const int index = static_cast<int>(n);
+    const auto scope = context.ui.scope(index);
+    RowOptions row;
+    const bool fits = n >= state.corrections.size() || state.corrections[n].fits;
+    row.icon = correction.muted ? Icon::ring : fits ? Icon::dot : Icon::warning;
+    row.icon_tone = correction.muted ? Tone::faint : fits ? Tone::good : Tone::problem;
+    row.tone = correction.muted ? Tone::faint : Tone::text;
+    row.selected = state.selected_correction == index;
+    row.selected_tone = Tone::good;
+    row.actions = {{Icon::refresh, "Replan", false, true},
+                   {correction.muted ? Icon::eye_off : Icon::eye, "Mute", correction.muted, true},
+                   {Icon::trash, "Delete", false, true}};
+    if (!fits)
+      row.hint = state.corrections[n].problem;
+    else
+      row.hint = correction.muted ? "Muted: the motion goes on without it"
+                                  : "Lies over the clip; the eye mutes it";
+    const RowResult result = list_row(context.ui, correction.name, row);
+    if (result.action == 0) context.emit(command::ReplanCorrection{index});
+    if (result.action == 1) context.emit(command::MuteCorrection{index});
+    if (result.action == 2) context.emit(command::DeleteCorrection{index});
+    if (result.clicked) context.emit(command::SelectCorrection{index});
+    if (result.double_clicked) context.emit(command::Scrub{static_cast<double>(correction.begin)});
+  }
+  RowOptions clip;
+  clip.icon = Icon::dotted_ring;
+  clip.icon_tone = Tone::faint;
+  clip.tone = Tone::faint;
+  clip.right = "source";
+  const std::string name = state.session->clip_name();
+  if (state.source) list_row(context.ui, name, clip);
+}
+
+}  // namespace
+
+void draw_outliner(const PanelContext& context, const Rect& rect) {
+  const Panel panel(context.ui, "Outliner", rect);
+  if (!context.state.open()) {
+    heading(context.ui, "Scene");
+    note(context.ui, "Nothing is open.", Tone::faint);
+    return;
+  }
+  draw_scene(context);
+  separator(context.ui);
+  draw_corrections(context);
+}
+
+}  // namespace elbowroom
