@@ -13,8 +13,9 @@ namespace {
 // the second is no solution.
 constexpr double kTwistDone = 1e-13, kTwistAccepted = 1e-9;
 constexpr int kTwistSteps = 40;
-// Scales that differ by less are uniform.
-constexpr double kUniform = 1e-9;
+// Scales that differ by less are uniform: well below the accuracies promised, above the rounding of
+// float32. Positions are made exact beyond the second.
+constexpr double kUniform = 2e-6, kExactlyUniform = 1e-13;
 // Under scales that are not uniform: the orientation's correction.
 constexpr int kOrientationSteps = 60;
 constexpr double kOrientationDone = 1e-9, kOrientationAccepted = 1e-5;
@@ -57,11 +58,11 @@ double scale_squared(const Mat3& m) {
   return (glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2])) / 3;
 }
 
-bool is_uniform(const Mat3& m) {
+bool is_uniform(const Mat3& m, double within) {
   const double s = scale_squared(m);
   for (int c = 0; c < 3; ++c) {
-    if (!(std::abs(glm::dot(m[c], m[c]) - s) <= kUniform * s)) return false;
-    if (!(std::abs(glm::dot(m[c], m[(c + 1) % 3])) <= kUniform * s)) return false;
+    if (!(std::abs(glm::dot(m[c], m[c]) - s) <= within * s)) return false;
+    if (!(std::abs(glm::dot(m[c], m[(c + 1) % 3])) <= within * s)) return false;
   }
   return true;
 }
@@ -138,8 +139,13 @@ Result<LimbIk> LimbIk::build(const LimbModel& limb, const Skeleton& skeleton, co
   ik.q_lower_ = rotation_of(lower);
   ik.q_end_ = rotation_of(Mat4(ik.end_scale_));
   ik.before_end_ = bone_from_joint * ik.q_lower_ * end.parent_from_zero;
-  ik.uniform_ = is_uniform(ik.world_from_root_parent_) && is_uniform(ik.root_from_middle_parent_) &&
-                is_uniform(ik.middle_from_end_parent_) && is_uniform(ik.end_scale_);
+  const auto all_uniform = [&](double within) {
+    return is_uniform(ik.world_from_root_parent_, within) &&
+           is_uniform(ik.root_from_middle_parent_, within) &&
+           is_uniform(ik.middle_from_end_parent_, within) && is_uniform(ik.end_scale_, within);
+  };
+  ik.uniform_ = all_uniform(kUniform);
+  ik.exactly_uniform_ = is_uniform(ik.root_from_middle_parent_, kExactlyUniform);
   ik.scale_squared_ = scale_squared(ik.root_from_zero_);
   const Mat3& zero = ik.root_from_zero_;
   ik.flexion_normal_ = unit(glm::cross(zero[0], zero[1])).value_or(Vec3(0, 0, 1));
@@ -272,7 +278,10 @@ double LimbIk::bend_to(double distance, int sense, double near, Bend& bend) cons
   const bool positive = (std::remainder(near - stretched, 2 * kPi) >= 0) == (sense == 0);
   bend.angle = nearest_turn(stretched + (positive ? away : -away), near);
   if (uniform_) {
-    if (std::abs(cosine) <= 1) return 0;
+    if (std::abs(cosine) <= 1) {
+      if (!exactly_uniform_) bend_by_newton(distance, bend);
+      return 0;
+    }
     return beyond(std::sqrt(std::max(0.0, fixed + 2 * amplitude * (cosine > 0 ? 1 : -1))));
   }
   bend_by_newton(distance, bend);
@@ -482,6 +491,14 @@ IkSolutions LimbIk::solve_at_swivel(const IkTarget& target, double swivel, const
     ++solutions.count;
   }
   return solutions;
+}
+
+std::optional<IkSolutions::One> LimbIk::solve_at_swivel(const IkTarget& target, double swivel,
+                                                        const Dofs& near, int sense) const {
+  IkSolutions::One one;
+  if (near.count != limb_->dof_count() || !finite(near)) return std::nullopt;
+  if (!solve_for(target, swivel, near, sense, nullptr, one)) return std::nullopt;
+  return one;
 }
 
 std::optional<Dofs> LimbIk::point_at(const IkTarget& target, double swivel, const Dofs& near,

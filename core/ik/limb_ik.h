@@ -84,7 +84,7 @@ class LimbIk {
   // False if no posture reaches the target, whatever its limits. A first glance: what it lets pass
   // may still be out of reach.
   bool may_reach(const IkTarget& target) const;
-  // Whether all scales are uniform (mirrors included).
+  // Whether all scales are uniform (mirrors included), up to the rounding of a file's numbers.
   bool uniform() const { return uniform_; }
 
   // Forward kinematics, world.
@@ -102,6 +102,9 @@ class LimbIk {
   // end if no orientation is asked for. Whole turns are those nearest to `near`. Limits are not
   // looked at. Nothing for a target, swivel or posture that isn't finite.
   IkSolutions solve_at_swivel(const IkTarget& target, double swivel, const Dofs& near) const;
+  // Of these the one of that sense, 0 or 1.
+  std::optional<IkSolutions::One> solve_at_swivel(const IkTarget& target, double swivel,
+                                                  const Dofs& near, int sense) const;
   // The posture with this angle of the middle (about the axis of its bend) instead of the one that
   // reaches: the limb points at the target.
   std::optional<Dofs> point_at(const IkTarget& target, double swivel, const Dofs& near,
@@ -155,8 +158,9 @@ class LimbIk {
   Vec3 zero_axis_{1, 0, 0}, zero_direction_{0, 1, 0};  // swivel's, root's parent's axes
   double scale_squared_ = 1;                           // of root_from_zero_
   double world_length_ = 0;
-  double twist_moves_ = 0;  // share of the lower bone that stands off the twist's axis
-  bool uniform_ = true;
+  double twist_moves_ = 0;       // share of the lower bone that stands off the twist's axis
+  bool uniform_ = true;          // up to kUniform
+  bool exactly_uniform_ = true;  // up to rounding in double
   bool end_by_matrix_ = false;
 };
 

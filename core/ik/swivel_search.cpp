@@ -12,9 +12,11 @@ namespace elbowroom {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr int kVariants = 4;       // of what a target leaves open, over its limits
 constexpr int kVariantCoarse = 4;  // their grid of swivels is coarser by this
 constexpr int kRefineSteps = 40;   // of bisection and of golden sections
+constexpr double kFlat = 1e-7;     // a bend's limit is exceeded alike at every swivel
 constexpr int kMaxGreedySteps = 400;
 
 // Of the numbers that stand for one rotation those that keep the limits, if some do.
@@ -120,31 +122,45 @@ class Search {
     double miss = 0;
     LimitExcess excess;
   };
-  int postures(double swivel, const Dofs& near, std::array<Tried, 2>& tried,
-               std::array<int, 2>& sense) {
-    const IkSolutions solutions = ik_.solve_at_swivel(target_, swivel, near);
-    for (int i = 0; i < solutions.count; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      tried[k].q = solutions.one[k].q;
-      tried[k].miss = solutions.one[k].miss;
-      choose_turns(ik_.limb(), space_, tried[k].q);
-      tried[k].excess = limit_excess(space_, tried[k].q);
-      sense[k] = solutions.one[k].sense;
+  bool try_posture(double swivel, const Dofs& near, int sense, Tried& tried) {
+    const auto look = [&](const Dofs& from) {
+      const auto one = ik_.solve_at_swivel(target_, swivel, from, sense);
+      if (!one) return false;
       ++result_.tried;
+      tried.q = one->q;
+      tried.miss = one->miss;
+      choose_turns(ik_.limb(), space_, tried.q);
+      tried.excess = limit_excess(space_, tried.q);
+      return true;
+    };
+    if (!look(near)) return false;
+    // Where the end has a twist of its own it takes over what the middle's limits refuse.
+    const JointModel& middle = ik_.limb().joints[1];
+    const JointModel& end = ik_.limb().joints[2];
+    if (!target_.orientation || end.kind != JointModelKind::ball) return true;
+    const int twist = middle.first_dof + middle.dof_count() - 1, own = end.first_dof + 2;
+    Dofs from = near;
+    for (int round = 0; round < 3 && tried.miss == 0 && tried.excess.dof == twist; ++round) {
+      if (tried.excess.radians <= 0) break;
+      const Dof& limits = space_.dofs[static_cast<std::size_t>(twist)];
+      const double inside = std::clamp(tried.q[twist], limits.lower, limits.upper);
+      const Dof& own_limits = space_.dofs[static_cast<std::size_t>(own)];
+      from[own] = std::clamp(from[own] + middle.side * end.side * (tried.q[twist] - inside),
+                             own_limits.lower, own_limits.upper);
+      const Tried before = tried;
+      if (!look(from) || tried.excess.radians >= before.excess.radians) {
+        tried = before;
+        break;
+      }
     }
-    return solutions.count;
+    return true;
   }
 
   // How far beyond limits, infinite where nothing reaches.
   double excess_at(double swivel, const Dofs& near, int sense) {
-    std::array<Tried, 2> tried;
-    std::array<int, 2> senses{};
-    const int count = postures(swivel, near, tried, senses);
-    for (int i = 0; i < count; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      if (senses[k] == sense) return tried[k].miss == 0 ? tried[k].excess.radians : kInfinity;
-    }
-    return kInfinity;
+    Tried tried;
+    if (!try_posture(swivel, near, sense, tried) || tried.miss != 0) return kInfinity;
+    return tried.excess.radians;
   }
 
   void remember(const Tried& tried, Rank rank, double swivel, const Dofs& near) {
@@ -164,11 +180,9 @@ class Search {
 
   // True with a valid posture, which is then the result.
   bool consider(double swivel, const Dofs& near) {
-    std::array<Tried, 2> tried;
-    std::array<int, 2> senses{};
-    const int count = postures(swivel, near, tried, senses);
-    for (int i = 0; i < count; ++i) {
-      const Tried& one = tried[static_cast<std::size_t>(i)];
+    for (int sense = 0; sense < 2; ++sense) {
+      Tried one;
+      if (!try_posture(swivel, near, sense, one)) continue;
       if (one.miss != 0) {
         remember(one, kMisses, swivel, near);
       } else if (!space_.within_limits(one.q)) {
@@ -282,7 +296,7 @@ class Search {
         at_d = excess_at(d, near, sense);
       }
     }
-    return std::numeric_limits<double>::quiet_NaN();
+    return kNotANumber;
   }
 
   bool all_round(const Dofs& near, int resolution) {
@@ -292,15 +306,9 @@ class Search {
     for (auto& values : excess) values.assign(static_cast<std::size_t>(n), kInfinity);
     const auto at = [&](int i) { return -kPi + width * i; };
     for (int i = 0; i < n; ++i) {
-      std::array<Tried, 2> tried;
-      std::array<int, 2> senses{};
-      const int count = postures(at(i), near, tried, senses);
-      for (int k = 0; k < count; ++k) {
-        const auto c = static_cast<std::size_t>(k);
-        if (tried[c].miss != 0) continue;
-        excess[static_cast<std::size_t>(senses[c])][static_cast<std::size_t>(i)] =
-            tried[c].excess.radians;
-      }
+      for (int sense = 0; sense < 2; ++sense)
+        excess[static_cast<std::size_t>(sense)][static_cast<std::size_t>(i)] =
+            excess_at(at(i), near, sense);
     }
     std::vector<double> swivels;
     const auto propose = [&](double swivel) {
@@ -324,8 +332,12 @@ class Search {
           propose(0.5 * (begin + end));
           propose(end);
         } else if (std::isfinite(value(i)) && value(i) <= value(i - 1) &&
-                   value(i) <= value(i + 1)) {
-          const double inside = dip(at(i - 1), at(i + 1), near, sense);
+                   value(i) <= value(i + 1) &&
+                   value(i) < std::max(value(i - 1), value(i + 1)) - kFlat) {
+          // Between steps it falls about as steeply as from the neighbours.
+          const double fall = std::max(value(i - 1), value(i + 1)) - value(i);
+          const double inside =
+              value(i) > 2 * fall ? kNotANumber : dip(at(i - 1), at(i + 1), near, sense);
           if (std::isnan(inside)) {
             propose(at(i));
             continue;
@@ -339,7 +351,7 @@ class Search {
       }
     }
     if (swivels.empty()) {
-      // Nothing reaches: remembered for what it misses by.
+      // Nothing reaches, or the same limit is exceeded all round: remembered for that.
       consider(initial_, near);
       return false;
     }

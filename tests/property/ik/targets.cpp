@@ -191,9 +191,9 @@ class Trial {
     const EndPlace shown = place_of(moment_, result.state);
     const bool right =
         result.status == IkStatus::out_of_reach && result.miss > 0 &&
-        (!ik_.uniform() || result.miss >= distance - ik_.length() * (1 + 1e-9)) &&
+        (!ik_.uniform() || result.miss >= distance - ik_.length() * (1 + 1e-5)) &&
         moment_.limb->space.within_limits(result.state.q, 1e-6) &&
-        glm::distance(shown.position, target.position) >= result.miss - 1e-6 * ik_.length();
+        glm::distance(shown.position, target.position) >= result.miss - 1e-5 * ik_.length();
     if (!right) problem(counts_.outside_wrong, "out of reach, but not said so");
   }
 

@@ -13,6 +13,7 @@ constexpr int kTargets = 400;  // for each limb; the long tier has 100,000 for e
 
 void expect_good(const test::TargetCounts& counts, const std::string& name) {
   std::printf("%-40s %s\n", name.c_str(), test::summary(counts).c_str());
+  std::fflush(stdout);
   EXPECT_EQ(counts.problems(), 0) << name << ", " << counts.first_problem;
 }
 
