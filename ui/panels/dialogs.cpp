@@ -8,6 +8,15 @@
 namespace elbowroom {
 namespace {
 
+const std::vector<std::string> kScenes = {".glb", ".gltf", ".vrm", ".elbow"};
+const std::vector<std::string> kModels = {".glb", ".gltf", ".vrm"};
+
+// "walk (corrected).glb" beside the character's file, of the same kind.
+std::filesystem::path proposed_export(const std::filesystem::path& character) {
+  const std::string extension = character.extension().string();
+  return character.parent_path() /
+         (character.stem().string() + " (corrected)" + (extension == ".gltf" ? extension : ".glb"));
+}
 
 }  // namespace
 
@@ -31,8 +40,77 @@ void Dialogs::draw(const PanelContext& context) {
   shown_ = context.view.dialog == Dialog::none ? Dialog::none : shown_;
 }
 
-void Dialogs::open_files(const PanelContext&) {}
-void Dialogs::files(const PanelContext& context) { context.view.dialog = Dialog::none; }
+// Where the dialog that has just been asked for begins.
+void Dialogs::open_files(const PanelContext& context) {
+  const EditorState& state = context.state;
+  const auto& character = state.document->scene.character;
+  switch (shown_) {
+    case Dialog::open:
+    case Dialog::add_object:
+      open_dialog(file_dialog_, character.empty() ? std::filesystem::current_path()
+                                                  : character.parent_path() / "");
+      break;
+    case Dialog::save_project:
+      open_dialog(file_dialog_, character.parent_path() / (character.stem().string() + ".elbow"));
+      break;
+    case Dialog::export_clip:
+      open_dialog(file_dialog_, proposed_export(character));
+      break;
+    default:
+      break;
+  }
+}
+
+void Dialogs::files(const PanelContext& context) {
+  FileDialogOptions options;
+  switch (shown_) {
+    case Dialog::open:
+      options.title = "Open a character, an object or a project";
+      options.extensions = kScenes;
+      break;
+    case Dialog::add_object:
+      options.title = "Add an object";
+      options.action = "Add";
+      options.extensions = kModels;
+      break;
+    case Dialog::save_project:
+      options.title = "Save project";
+      options.action = "Save";
+      options.purpose = FilePurpose::save;
+      options.extensions = {".elbow"};
+      break;
+    case Dialog::export_clip:
+      options.title = "Export the corrected clip";
+      options.action = "Export";
+      options.purpose = FilePurpose::save;
+      options.extensions = {".glb", ".gltf"};
+      break;
+    default:
+      break;
+  }
+  const auto path = file_dialog(context.ui, file_dialog_, options);
+  if (path) {
+    switch (shown_) {
+      case Dialog::open:
+      case Dialog::add_object:
+        context.emit(command::OpenFiles{{*path}});
+        break;
+      case Dialog::save_project:
+        context.emit(command::SaveProject{*path});
+        if (quit_after_saving_) context.emit(command::Quit{});
+        break;
+      case Dialog::export_clip:
+        context.emit(command::Export{*path});
+        break;
+      default:
+        break;
+    }
+  }
+  if (path || !file_dialog_.open) {
+    context.view.dialog = Dialog::none;
+    quit_after_saving_ = false;
+  }
+}
 
 void Dialogs::shortcuts(const PanelContext& context) {
   Ui& ui = context.ui;

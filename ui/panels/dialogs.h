@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/panels/panel.h"
+#include "ui/toolkit/file_dialog.h"
 
 namespace elbowroom {
 
@@ -17,6 +18,7 @@ class Dialogs {
   void shortcuts(const PanelContext& context);
   void unsaved(const PanelContext& context);
 
+  FileDialog file_dialog_;
   Dialog shown_ = Dialog::none;
   bool quit_after_saving_ = false;
 };
