@@ -41,10 +41,12 @@ class Interruption {
   std::stop_source source_;
 };
 
-int run_window(const std::vector<std::string>& files, const std::string& frame_log) {
+int run_window(const std::vector<std::string>& files, const std::string& frame_log,
+               const std::string& widget_log) {
   WindowOptions window;
   for (const auto& file : files) window.files.emplace_back(file);
   window.frame_log = frame_log;
+  window.widget_log = widget_log;
   const Status shown = run_editor(window);
   if (!shown) {
     print_error(shown.error());
@@ -142,11 +144,16 @@ int main(int argc, char** argv) {
       ->type_name("NAME");
 
   std::vector<std::string> files;
-  std::string frame_log;
+  std::string frame_log, widget_log;
   program.add_option("FILES", files, "for the editor: a project, or a character and objects");
   program
       .add_option("--frame-log", frame_log,
                   "of the editor: a file that gets a line for each frame drawn")
+      ->type_name("LOG")
+      ->group("");
+  program
+      .add_option("--widget-log", widget_log,
+                  "of the editor: a file that holds the widgets of the last frame")
       ->type_name("LOG")
       ->group("");
 
@@ -159,7 +166,7 @@ int main(int argc, char** argv) {
   if (info_command->parsed()) return run_info(info);
   if (render_command->parsed()) return run_render(render);
   const bool editor = program.get_subcommands().empty();
-  if (editor) return run_window(files, frame_log);
+  if (editor) return run_window(files, frame_log, widget_log);
   const Interruption interruption;
   if (check_command->parsed()) return run_check(check, interruption.token());
   if (correct_command->parsed()) return run_correct(correct, interruption.token());

@@ -56,9 +56,9 @@ class SceneFrame {
     TrailKey key;
     Trail trail;
   };
-  const Trail& trail_of(KeptTrail& kept,
-                        const std::shared_ptr<const Clip>& clip, const CollisionStrip* strip,
-                        int limb, double begin, double end, Rgb colour, bool dashed);
+  const Trail& trail_of(KeptTrail& kept, const std::shared_ptr<const Clip>& clip,
+                        const CollisionStrip* strip, int limb, double begin, double end, Rgb colour,
+                        bool dashed);
 
   const Session* session_ = nullptr;
   World world_, ghost_world_, target_world_;

@@ -30,8 +30,10 @@ enum class Dialog { none, open, save_project, export_clip, add_object, shortcuts
 struct ViewState {
   Camera camera;
   bool framed = false;           // the camera has been set for this scene
+  bool frame_all = false;        // asked for; the viewport does it
   bool frame_selection = false;  // asked for; the viewport does it
   Compare compare = Compare::both;
+  bool follow = true;  // the camera goes along with the figure
   bool show_trails = true;
   bool show_limb = true;  // the selected limb in its own tone, its joints marked
   Navigation navigation = Navigation::blender;

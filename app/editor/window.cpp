@@ -4,9 +4,9 @@
 #include <epoxy/gl.h>
 // epoxy first: GLFW then brings no GL header of its own.
 #include <GLFW/glfw3.h>
-#include <imgui.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
@@ -152,7 +152,7 @@ class EditorWindow {
 
   Editor& editor() { return editor_; }
 
-  void run(Input& input, std::ofstream* log) {
+  void run(Input& input, std::ofstream* log, const std::filesystem::path& widget_log) {
     int frames = kFramesAfterAnEvent;
     std::string title;
     while (true) {
@@ -188,6 +188,7 @@ class EditorWindow {
                                                    : "still")
              << '\n'
              << std::flush;
+      if (!widget_log.empty()) write_widgets(widget_log);
       if (editor_.quitting()) return;
       const std::string wanted = title_of(editor_.state());
       if (wanted != title) {
@@ -269,6 +270,25 @@ class EditorWindow {
                       window_height - static_cast<int>(rect.min.y) - height);
   }
 
+  void write_widgets(const std::filesystem::path& file) {
+    std::string text;
+    for (const ProbedWidget& widget : ui_->probe().widgets()) {
+      char numbers[96];
+      std::snprintf(numbers, sizeof numbers, "\t%s\t%.0f\t%.0f\t%.0f\t%.0f\t%d\t%d\t",
+                    name_of(widget.kind), static_cast<double>(widget.min.x),
+                    static_cast<double>(widget.min.y), static_cast<double>(widget.max.x),
+                    static_cast<double>(widget.max.y), widget.enabled, widget.visible);
+      text += widget.path + numbers + widget.value + "\n";
+    }
+    if (text == widgets_) return;
+    widgets_ = text;
+    // Whoever reads sees the old ones or the new ones, never half of them.
+    const auto fresh = file.string() + ".new";
+    std::ofstream(fresh) << text;
+    std::error_code ignored;
+    std::filesystem::rename(fresh, file, ignored);
+  }
+
   // Shortcuts, unless a text is being typed.
   void keys(Commands& commands) {
     const ImGuiIO& io = ImGui::GetIO();
@@ -294,6 +314,7 @@ class EditorWindow {
   double scale_ = 0, content_ = 1;
   bool light_ = false;
   PictureKey painted_;
+  std::string widgets_;
 };
 
 }  // namespace
@@ -338,7 +359,7 @@ Status run_editor(const WindowOptions& options) {
     window.editor().handle(command::OpenDemo{});
   else
     window.editor().handle(command::OpenFiles{options.files});
-  window.run(input, log.is_open() ? &log : nullptr);
+  window.run(input, log.is_open() ? &log : nullptr, options.widget_log);
 
   settings.view = window.editor().view();
   settings.recent_files = window.editor().recent_files();

@@ -142,17 +142,29 @@ bool SceneCollision::limb_in_contact(double t, int limb, double distance) {
   return !enclosed_objects(*data_, limb).empty();
 }
 
-double SceneCollision::limb_clearance(double t, int limb, double at_most) {
-  if (limb < 0 || !data_->knows(limb) || !std::isfinite(t) || !(at_most > 0)) return 0;
-  data_->pose(t);
+namespace {
+
+double clearance_at(SceneCollision::Data& data, double t, int limb, double at_most, bool own_too) {
+  if (limb < 0 || !data.knows(limb) || !std::isfinite(t) || !(at_most > 0)) return 0;
+  data.pose(t);
   double clearance = at_most;
-  for (TestPair& pair : data_->pairs_now().pairs) {
-    if (!data_->concerns(pair, limb)) continue;
-    clearance = std::min(clearance, data_->pair_clearance(pair, clearance));
+  for (TestPair& pair : data.pairs_now().pairs) {
+    if (!data.concerns(pair, limb) || (!own_too && pair.clip_may_allow)) continue;
+    clearance = std::min(clearance, data.pair_clearance(pair, clearance));
     if (!(clearance > 0)) return 0;
   }
-  if (!enclosed_objects(*data_, limb).empty()) return 0;
+  if (!enclosed_objects(data, limb).empty()) return 0;
   return clearance;
+}
+
+}  // namespace
+
+double SceneCollision::limb_clearance(double t, int limb, double at_most) {
+  return clearance_at(*data_, t, limb, at_most, true);
+}
+
+double SceneCollision::limb_clearance_from_scene(double t, int limb, double at_most) {
+  return clearance_at(*data_, t, limb, at_most, false);
 }
 
 }  // namespace elbowroom

@@ -96,6 +96,9 @@ class SceneCollision {
   // Distance of limb (and carried objects) from everything it is not allowed to touch, at most
   // `at_most`, scene units.
   double limb_clearance(double t, int limb, double at_most);
+  // The same from everything that is neither the character nor carried by it: an arm always hangs
+  // near its own chest, and what is asked for here is the room in the scene.
+  double limb_clearance_from_scene(double t, int limb, double at_most);
 
   // Contacts over [begin, end] sampled at `rate` Hz (and at the clip's keys and both sides of its
   // steps), merged into intervals whose ends are bisected to 1e-4 s.

@@ -46,7 +46,8 @@ void sample(SceneCollision& scene, double t, std::vector<ContactSample>& scratch
       at.contact = true;
     }
     if (!at.contact)
-      at.clearance = scene.limb_clearance(t, static_cast<int>(limb), kStripReach * scene.height());
+      at.clearance =
+          scene.limb_clearance_from_scene(t, static_cast<int>(limb), kStripReach * scene.height());
     strip.limbs[limb].samples.push_back(at);
   }
 }

@@ -17,7 +17,8 @@ namespace elbowroom {
 struct StripSample {
   double t = 0;
   double depth = 0;      // of the deepest contact that is not allowed; 0: none, or a mere touch
-  double clearance = 0;  // from everything the limb may not touch, at most kStripReach × height
+  double clearance = 0;  // of limb and what it carries from all that is not the character, at most
+                         // kStripReach × height; 0 in contact
   bool contact = false;
   Vec3 place{0.0};  // of the deepest contact
 };

@@ -20,6 +20,7 @@ void History::apply(const std::string& name, const Edit& edit) {
   if (steps_.size() > kMostSteps + 1) steps_.erase(steps_.begin());
   at_ = steps_.size() - 1;
   ++revision_;
+  find_dirty();
 }
 
 void History::preview(const std::string& name, const Edit& edit) {
@@ -55,6 +56,7 @@ void History::undo() {
   } else if (at_ > 0) {
     --at_;
     ++revision_;
+    find_dirty();
   }
 }
 
@@ -62,11 +64,23 @@ void History::redo() {
   if (!can_redo()) return;
   ++at_;
   ++revision_;
+  find_dirty();
 }
 
 void History::mark_saved() {
   commit();
   saved_ = steps_[at_].document;
+  dirty_ = false;
+}
+
+void History::find_dirty() {
+  if (steps_[at_].document == saved_) {
+    dirty_ = false;
+    return;
+  }
+  Document shown = *steps_[at_].document;
+  shown.draft.limb = saved_->draft.limb;
+  dirty_ = !(shown == *saved_);
 }
 
 }  // namespace elbowroom

@@ -51,8 +51,9 @@ class History {
   // Another number after each change of document(); for what is computed from it.
   std::uint64_t revision() const { return revision_; }
 
-  // Whether the document differs from the one saved last (or begun with).
-  bool dirty() const { return steps_[at_].document != saved_; }
+  // Whether the document differs from the one saved last (or begun with) by more than the limb that
+  // is chosen.
+  bool dirty() const { return dirty_; }
   void mark_saved();
 
  private:
@@ -66,6 +67,9 @@ class History {
   std::optional<Document> preview_;
   std::string preview_name_;
   std::uint64_t revision_ = 1;
+  bool dirty_ = false;
+
+  void find_dirty();
 };
 
 }  // namespace elbowroom

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The inspector: how the selected limb is planned, in three tabs.
+#include <algorithm>
+
 #include "ui/panels/panel.h"
 #include "ui/toolkit/buttons.h"
 #include "ui/toolkit/feedback.h"
@@ -40,99 +42,17 @@ void choose_limb(const PanelContext& context) {
                 "Its joints have no names that are known here; `elbowroom info` lists them.");
 }
 
-void candidate_card(const PanelContext& context) {
-  const Candidate& candidate = *context.state.candidate;
-  const WindowReport& report = candidate.report;
-  Ui& ui = context.ui;
-  heading(ui, "Plan", "found in " + number_text(report.total_ms, 0, "ms"));
-  std::vector<CardRow> rows = {
-      {"clearance", length_text(report.min_clearance)},
-      {"from the clip, at most", degrees_text(report.deviation_from_clip)},
-      {"peak speed", number_text(report.peak_speed, 1, "rad/s")},
-      {"free at every key and 240 Hz", "", Tone::good, true},
-  };
-  CardOptions options;
-  options.selected = true;
-  options.selected_tone = Tone::ghost;
-  options.hint = "Shown as a ghost until it is accepted";
-  card(ui, candidate.task.name, rows, options);
-  space(ui, 4);
-  ButtonOptions accept;
-  accept.look = ButtonLook::primary;
-  accept.shortcut = "Enter";
-  accept.hint = "Lay this motion over the clip";
-  if (button(ui, "Accept", accept)) context.emit(command::Accept{});
-  ImGui::SameLine(0, ui.px(ui.theme().metrics.gap));
-  ButtonOptions discard;
-  discard.shortcut = "Del";
-  discard.hint = "Forget this plan";
-  if (button(ui, "Discard", discard)) context.emit(command::Discard{});
-}
-
-void failure_note(const PanelContext& context) {
-  const PlanFailure& failure = *context.state.failure;
-  std::string more;
-  if (!failure.blocked_by.empty()) more = "Most in the way: " + failure.blocked_by + ". ";
-  more += "Try a longer window, wider sampling intervals, less clearance or another seed.";
-  inline_note(
-      context.ui, Tone::problem,
-      "No motion found: " + (failure.reason.empty() ? "the budget is used up" : failure.reason),
-      more);
-}
-
 }  // namespace
-
-void draw_plan_section(const PanelContext& context) {
-  Ui& ui = context.ui;
-  const EditorState& state = context.state;
-  const Draft& draft = state.document->draft;
-  space(ui, 6);
-  if (state.planning.active) {
-    ProgressOptions options;
-    const std::string seconds = number_text(state.planning.seconds, 1, "s");
-    options.right = seconds;
-    std::optional<double> fraction;
-    if (state.planning.fraction >= 0) fraction = state.planning.fraction;
-    if (progress(ui, state.planning.what, fraction, options)) context.emit(command::CancelPlan{});
-  } else {
-    ButtonOptions options;
-    options.look = ButtonLook::primary;
-    options.shortcut = "P";
-    std::string text = "Plan";
-    if (draft.target) {
-      text = "Plan reach at " + number_text(draft.target->time, 2, "s");
-      options.hint = "Find a motion that reaches the target and comes back";
-    } else if (draft.window) {
-      text = "Plan " + number_text(draft.window->lower, 2) + "–" +
-             number_text(draft.window->upper, 2, "s");
-      options.hint = "Find a motion around what the limb collides with in this window";
-    } else {
-      text = "Plan first problem";
-      options.hint = "Choose the limb's first problem and find a motion around it";
-    }
-    if (button(ui, text + "###Plan", options)) context.emit(command::Plan{});
-    // The seed, beside it: another seed is another way.
-    PlanningWishes wishes;
-    if (const auto found = draft.wishes.find(draft.limb); found != draft.wishes.end())
-      wishes = found->second;
-    ImGui::SameLine(0, ui.px(ui.theme().metrics.gap));
-    ButtonOptions seed;
-    seed.icon = Icon::refresh;
-    seed.hint = "Plan with another seed: another way around, if there is one";
-    if (button(ui, "Seed " + std::to_string(wishes.seed) + "###Seed", seed)) {
-      ++wishes.seed;
-      context.emit(command::SetWishes{wishes, "Seed " + std::to_string(wishes.seed)});
-      context.emit(command::Plan{});
-    }
-  }
-  space(ui, 6);
-  if (state.candidate) candidate_card(context);
-  if (state.failure) failure_note(context);
-}
 
 void draw_inspector(const PanelContext& context, const Rect& rect) {
   Ui& ui = context.ui;
-  const Panel panel(ui, "Inspector", rect);
+  const bool planning = context.state.open() && context.state.limb >= 0;
+  const float foot = planning ? std::min(plan_section_height(context), 0.7f * rect.height()) : 0.0f;
+  if (planning) {
+    const Panel panel(ui, "Plan", {{rect.min.x, rect.max.y - foot}, rect.max});
+    draw_plan_section(context);
+  }
+  const Panel panel(ui, "Inspector", {rect.min, {rect.max.x, rect.max.y - foot}});
   if (!context.state.open()) {
     note(ui, "The selected limb's panel.", Tone::faint);
     return;
@@ -158,7 +78,6 @@ void draw_inspector(const PanelContext& context, const Rect& rect) {
       draw_planner_tab(context);
       break;
   }
-  draw_plan_section(context);
 }
 
 }  // namespace elbowroom

@@ -42,8 +42,12 @@ void presets(const PanelContext& context, const LimbModel& limb) {
 void draw_limb_tab(const PanelContext& context) {
   Ui& ui = context.ui;
   const LimbModel& limb = *context.state.limb_model();
+  const ImVec2 line = ImGui::GetCursorPos();
   heading(ui, "Sampling intervals");
+  const ImVec2 below = ImGui::GetCursorPos();
+  ImGui::SetCursorPos(line);
   presets(context, limb);
+  ImGui::SetCursorPos(below);
   for (std::size_t d = 0; d < context.state.dofs.size(); ++d) {
     const DofView& dof = context.state.dofs[d];
     RangeModel range;

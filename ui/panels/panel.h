@@ -38,7 +38,9 @@ void draw_inspector(const PanelContext& context, const Rect& rect);
 void draw_limb_tab(const PanelContext& context);
 void draw_target_tab(const PanelContext& context);
 void draw_planner_tab(const PanelContext& context);
-void draw_plan_section(const PanelContext& context);  // the button, progress, the plan's card
+// The button, progress, the plan's card: always in sight at the inspector's foot.
+float plan_section_height(const PanelContext& context);
+void draw_plan_section(const PanelContext& context);
 void draw_timeline(const PanelContext& context, const Rect& rect);
 void draw_status_line(const PanelContext& context, const Rect& rect);
 void draw_welcome(const PanelContext& context,

@@ -17,9 +17,32 @@ namespace {
 constexpr int kMostCurvePoints = 2000;
 
 // A depth at which a bump fills its row, × the character's height.
-constexpr double kFullDepth = 0.03;
+constexpr double kFullDepth = 0.04;
 // However shallow, a bump is to be seen.
-constexpr float kLeastBump = 0.22f;
+constexpr double kLeastBump = 0.2;
+
+// The local measure of depth jumps from vertex to vertex; a mean over a tenth of a second shows
+// what the eye would call the depth.
+std::vector<float> depth_curve(const LimbStrip& strip, double begin, double end, double full) {
+  constexpr int kReach = 3;  // samples to each side
+  std::vector<double> heights;
+  for (const StripSample& sample : strip.samples)
+    if (sample.t >= begin && sample.t <= end)
+      heights.push_back(sample.contact ? std::clamp(std::sqrt(sample.depth / full), kLeastBump, 1.0)
+                                       : 0.0);
+  std::vector<float> curve;
+  const int count = static_cast<int>(heights.size());
+  for (int i = 0; i < count; ++i) {
+    double sum = 0, weights = 0;
+    for (int k = std::max(0, i - kReach); k <= std::min(count - 1, i + kReach); ++k) {
+      const double weight = 1 + kReach - std::abs(k - i);
+      sum += weight * heights[static_cast<std::size_t>(k)];
+      weights += weight;
+    }
+    curve.push_back(static_cast<float>(sum / weights));
+  }
+  return curve;
+}
 
 std::vector<TimelineBump> bumps_of(const EditorState& state, const LimbStrip& strip) {
   std::vector<TimelineBump> bumps;
@@ -35,11 +58,7 @@ std::vector<TimelineBump> bumps_of(const EditorState& state, const LimbStrip& st
       if (contact.deepest.depth > deepest->deepest.depth) deepest = &contact;
     }
     bump.peak = deepest->time_of_deepest;
-    for (const StripSample& sample : strip.samples)
-      if (sample.t >= bump.begin && sample.t <= bump.end)
-        bump.depth.push_back(
-            sample.contact ? std::clamp(static_cast<float>(sample.depth / full), kLeastBump, 1.0f)
-                           : 0.0f);
+    bump.depth = depth_curve(strip, bump.begin, bump.end, full);
     bump.tooltip = deepest->deepest.part_a + " with " + deepest->deepest.part_b +
                    (deepest->deepest.depth > 0 ? ", " + length_text(deepest->deepest.depth) : "") +
                    " at " + number_text(bump.peak, 2, "s");
@@ -216,12 +235,13 @@ void transport(const PanelContext& context, const Rect& rect) {
 
   // From the right: speed, clip, problems.
   float right = rect.max.x - pad;
-  const auto place = [&](float width) {
+  const auto place = [&](float width, float height) {
     right -= width;
     ImGui::SetCursorScreenPos(
-        {std::floor(right), rect.min.y + std::floor(0.5f * (rect.height() - ui.px(28)))});
+        {std::floor(right), rect.min.y + std::floor(0.5f * (rect.height() - ui.px(height)))});
     right -= ui.px(8);
   };
+  const float control = ui.theme().metrics.control;
   static constexpr double kSpeeds[] = {0.25, 0.5, 1, 2};
   std::vector<std::string> speeds;
   int chosen = -1;
@@ -232,7 +252,7 @@ void transport(const PanelContext& context, const Rect& rect) {
   ComboOptions speed;
   speed.width = 76;
   speed.hint = "How fast the clip plays";
-  place(ui.px(speed.width));
+  place(ui.px(speed.width), control);
   if (combo(ui, "##Speed", chosen, speeds, speed)) context.emit(command::SetSpeed{kSpeeds[chosen]});
   const auto& clips = state.session->scene.model().clips;
   if (clips.size() > 1) {
@@ -243,7 +263,7 @@ void transport(const PanelContext& context, const Rect& rect) {
     ComboOptions options;
     options.width = wide > ui.px(1100) ? 190 : 120;
     options.hint = "Which clip of the file is played and corrected";
-    place(ui.px(options.width));
+    place(ui.px(options.width), control);
     if (combo(ui, "##Clip", clip, names, options))
       context.emit(command::ChooseClip{std::to_string(clip)});
   }
@@ -252,13 +272,13 @@ void transport(const PanelContext& context, const Rect& rect) {
   next.shortcut = "N";
   next.hint = "Go to the next problem and choose its window";
   next.enabled = state.strip != nullptr;
-  place(button_width(ui, "Problem###Next problem", next));
+  place(button_width(ui, "Problem###Next problem", next), control);
   if (button(ui, "Problem###Next problem", next)) context.emit(command::GoToProblem{1});
   IconButtonOptions previous;
   previous.look = ButtonLook::secondary;
   previous.shortcut = "B";
   previous.enabled = state.strip != nullptr;
-  place(ui.px(28));
+  place(ui.px(28), 28);
   if (icon_button(ui, "Previous problem", Icon::chevron_left, previous))
     context.emit(command::GoToProblem{-1});
 }

@@ -106,9 +106,16 @@ TEST(History, EachPreviewStartsFromTheDocumentBeforeTheDrag) {
   EXPECT_EQ(history.document().draft.limb, "x");
 }
 
+TEST(History, ChoosingALimbIsNothingToSave) {
+  History history;
+  history.apply("choose", set_limb("a"));
+  EXPECT_TRUE(history.can_undo());
+  EXPECT_FALSE(history.dirty());
+}
+
 TEST(History, KnowsWhatIsSaved) {
   History history;
-  history.apply("one", set_limb("a"));
+  history.apply("one", [](Document& document) { document.draft.window = Interval{1, 2}; });
   EXPECT_TRUE(history.dirty());
   history.mark_saved();
   EXPECT_FALSE(history.dirty());
