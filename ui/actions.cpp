@@ -111,7 +111,7 @@ std::vector<Action> make_actions() {
        "Frame all",
        key(Shortcut::home),
        is_open,
-       [](State, ViewState& view, Commands&) { view.framed = false; },
+       [](State, ViewState& view, Commands&) { view.frame_all = true; },
        {},
        false});
   list.push_back(view_action("Front", key('1'), ViewPreset::front));
@@ -125,6 +125,13 @@ std::vector<Action> make_actions() {
          view.camera.orthographic = !view.camera.orthographic;
        },
        [](State, View view) { return view.camera.orthographic; },
+       false});
+  add({"View",
+       "Follow the figure",
+       key('C'),
+       {},
+       [](State, ViewState& view, Commands&) { view.follow = !view.follow; },
+       [](State, View view) { return view.follow; },
        false});
   list.push_back(compare_action("After", shifted('1'), Compare::after, true));
   list.push_back(compare_action("Before", shifted('2'), Compare::before, false));

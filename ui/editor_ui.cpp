@@ -30,8 +30,10 @@ EditorUi::~EditorUi() = default;
 Rect EditorUi::viewport() const { return data_->viewport.rect(); }
 bool EditorUi::dragging() const { return data_->viewport.dragging(); }
 
-const Frame& EditorUi::frame(const EditorState& state, const ViewState& view, double pixel_scale) {
-  return data_->scene.make(state, view, pixel_scale);
+const Frame& EditorUi::frame(const EditorState& state, ViewState& view, double pixel_scale) {
+  const Frame& frame = data_->scene.make(state, view, pixel_scale);
+  data_->viewport.follow(state, view, data_->scene);
+  return frame;
 }
 
 void EditorUi::draw(Ui& ui, const EditorState& state, ViewState& view, Commands& commands) {
@@ -49,8 +51,8 @@ void EditorUi::draw(Ui& ui, const EditorState& state, ViewState& view, Commands&
   const float timeline = share_of(view.timeline_share, ui.px(kLeastTimeline), height);
   const float top = menu, bottom = height - status - timeline;
 
-  // What the last frame's picture was made of is what a framing of the view rests on.
-  data_->scene.make(state, view, static_cast<double>(ui.scale()));
+  // What the picture shows is what a framing of the view and the gizmo rest on.
+  frame(state, view, static_cast<double>(ui.scale()));
   draw_menu_bar(context, {{0, 0}, {width, menu}});
   draw_outliner(context, {{0, top}, {left, bottom}});
   data_->viewport.draw(context, {{left, top}, {width - right, bottom}}, data_->scene);

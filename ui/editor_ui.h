@@ -34,8 +34,9 @@ class EditorUi {
   Rect viewport() const;
   // The viewport is being dragged in, so that pictures should come fast rather than fine.
   bool dragging() const;
-  // What the picture shows of a state. Good until the next call.
-  const Frame& frame(const EditorState& state, const ViewState& view, double pixel_scale);
+  // What the picture shows of a state. Moves the view's camera along with the figure. Good until
+  // the next call.
+  const Frame& frame(const EditorState& state, ViewState& view, double pixel_scale);
 
  private:
   struct Data;

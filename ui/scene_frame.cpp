@@ -236,14 +236,27 @@ void SceneFrame::add_trails(const EditorState& state) {
                                      begin, end, kStyle.good, false));
 }
 
-std::vector<Vec3> SceneFrame::points_of_figure(const EditorState& state) const {
+std::optional<Vec3> SceneFrame::figure_place() const {
+  if (!session_ || states_.empty()) return std::nullopt;
+  std::vector<int> joints;
+  for (const LimbModel& limb : session_->limbs) joints.push_back(limb.limb.root);
+  if (joints.empty()) joints = session_->character().joints;
+  if (joints.empty()) return std::nullopt;
+  Vec3 sum(0.0);
+  for (const int joint : joints)
+    sum += Vec3(states_.front().world_from_joint[static_cast<std::size_t>(joint)][3]);
+  return sum / static_cast<double>(joints.size());
+}
+
+std::vector<Vec3> SceneFrame::points_of_figure(const EditorState& state, bool whole_clip) const {
   std::vector<Vec3> points;
   if (!session_) return points;
   std::vector<ActorState> states;
   // Where the figure is over the clip; a handful of moments tells.
   constexpr int kMoments = 5;
-  for (int i = 0; i < kMoments; ++i) {
-    const double t = state.begin + (state.end - state.begin) * i / (kMoments - 1);
+  for (int i = 0; i < (whole_clip ? kMoments : 1); ++i) {
+    const double t =
+        whole_clip ? state.begin + (state.end - state.begin) * i / (kMoments - 1) : state.time;
     world_state_at(world_, t, states);
     for (std::size_t actor = 0; actor < world_.actors.size(); ++actor) {
       if (actor > 0 && !world_.actors[actor].attachment) continue;

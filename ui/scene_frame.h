@@ -30,8 +30,11 @@ class SceneFrame {
   // Nodes of the limb (its root and all below), not 0, by node of the character's file.
   static std::vector<std::uint8_t> limb_nodes(const Skeleton& skeleton, const Limb& limb);
 
-  // Points to frame the view on: the figure and its props over the clip, or the selected limb now.
-  std::vector<Vec3> points_of_figure(const EditorState& state) const;
+  // Where the figure is in the last frame made, the mean of its limbs' roots; none: no figure.
+  std::optional<Vec3> figure_place() const;
+  // Points to frame the view on: the figure and its props, now or over the whole clip; the selected
+  // limb now.
+  std::vector<Vec3> points_of_figure(const EditorState& state, bool whole_clip) const;
   std::vector<Vec3> points_of_selection(const EditorState& state) const;
 
  private:

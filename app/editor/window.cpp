@@ -246,7 +246,8 @@ class EditorWindow {
     const Rect rect = editor_ui_.viewport();
     const int width = static_cast<int>(rect.width()), height = static_cast<int>(rect.height());
     if (width < 1 || height < 1) return;
-    const ViewState& view = editor_.view();
+    ViewState& view = editor_.view();
+    const Frame& frame = editor_ui_.frame(editor_.state(), view, static_cast<double>(ui_->scale()));
     const PictureKey key{editor_.picture_version(),
                          view.camera,
                          view.compare,
@@ -256,8 +257,6 @@ class EditorWindow {
                          width,
                          height};
     if (!(key == painted_)) {
-      const Frame& frame =
-          editor_ui_.frame(editor_.state(), view, static_cast<double>(ui_->scale()));
       const Status drawn =
           renderer_.draw(frame, view.camera, viewport_style(light_), {width, height});
       if (!drawn) {

@@ -125,17 +125,32 @@ void Viewport::camera_keys(const PanelContext& context, const SceneFrame& scene)
   const double aspect =
       static_cast<double>(rect_.width()) / std::max(1.0, static_cast<double>(rect_.height()));
   if (!view.framed) {
-    if (view.camera.distance == Camera{}.distance && view.camera.azimuth == 0)
-      view.camera = with_preset(view.camera, ViewPreset::three_quarter);
+    view.camera = with_preset(view.camera, ViewPreset::three_quarter);
     view.camera =
-        elbowroom::framed(view.camera, scene.points_of_figure(context.state), aspect, 0.08);
+        elbowroom::framed(view.camera, scene.points_of_figure(context.state, false), aspect, 0.14);
     view.framed = true;
+  }
+  if (view.frame_all) {
+    view.camera =
+        elbowroom::framed(view.camera, scene.points_of_figure(context.state, true), aspect, 0.08);
+    view.frame_all = false;
   }
   if (view.frame_selection) {
     view.camera =
         elbowroom::framed(view.camera, scene.points_of_selection(context.state), aspect, 0.15);
     view.frame_selection = false;
   }
+}
+
+void Viewport::follow(const EditorState& state, ViewState& view, const SceneFrame& scene) {
+  const auto place = scene.figure_place();
+  if (place && followed_ && followed_session_ == state.session && view.follow) {
+    // Along the ground only: a step's up and down is to be seen.
+    view.camera.focus.x += place->x - followed_->x;
+    view.camera.focus.z += place->z - followed_->z;
+  }
+  followed_ = place;
+  followed_session_ = state.session;
 }
 
 void Viewport::gizmo(const PanelContext& context, bool hovered) {

@@ -13,6 +13,9 @@ class Viewport {
  public:
   void draw(const PanelContext& context, const Rect& rect, const SceneFrame& scene);
 
+  // Moves the camera along with the figure, if the view asks for it. After each frame made.
+  void follow(const EditorState& state, ViewState& view, const SceneFrame& scene);
+
   const Rect& rect() const { return rect_; }
   bool dragging() const { return drag_ != Drag::none; }
 
@@ -31,6 +34,8 @@ class Viewport {
   Drag drag_ = Drag::none;
   int button_ = 0;
   ImVec2 pressed_at_{0, 0}, last_{0, 0};
+  std::optional<Vec3> followed_;  // where the figure was
+  const Session* followed_session_ = nullptr;
   GizmoDrag gizmo_drag_;
   GizmoHandle hovered_ = GizmoHandle::none;
 };
