@@ -15,6 +15,7 @@
 #include "core/collision/surface_picker.h"
 #include "core/io/open_scene.h"
 #include "render/offscreen_context.h"
+#include "render/quality.h"
 #include "render/scene_renderer.h"
 
 namespace elbowroom {
@@ -112,8 +113,6 @@ int run(int width, int height, int frames, const std::string& only, const char* 
   const auto orbit = [&](int) { camera = orbited(camera, 0.01, 0); };
   const Camera home = camera;
 
-  measure("full, playing", style, size, play);
-  world_state_at(world, 1.5, states);
   if (pictures != nullptr) {
     for (int i = 0; i < 4; ++i) {
       camera = orbited(home, 1.3 * i, 0.1 * i);
@@ -126,8 +125,6 @@ int run(int width, int height, int frames, const std::string& only, const char* 
     camera = home;
     world_state_at(world, 1.5, states);
   }
-  measure("full, orbiting", style, size, orbit);
-  camera = home;
   measure("full, nothing changed", style, size, nothing);
   Style other = style;
   other.occlusion = 0;
@@ -141,19 +138,17 @@ int run(int width, int height, int frames, const std::string& only, const char* 
   other = style;
   other.samples = 1;
   measure("1 sample", other, size, nothing);
-  other = style;
-  other.samples = 1;
-  other.shadow_map_size = 512;
-  other.draft = true;
-  for (const double scale : {1.0, 0.7, 0.5}) {
-    const PictureSize small{static_cast<int>(scale * width), static_cast<int>(scale * height)};
-    const std::string name = "draft at " + std::to_string(scale).substr(0, 3);
-    measure((name + ", playing").c_str(), other, small, play);
+  for (const DrawQuality& quality : kQualities) {
+    const Style with = with_quality(style, quality);
+    const PictureSize at = with_quality(size, quality);
+    const std::string name = std::string("level: ") + quality.name;
+    measure((name + ", playing").c_str(), with, at, play);
     world_state_at(world, 1.5, states);
-    measure((name + ", orbiting").c_str(), other, small, orbit);
+    measure((name + ", orbiting").c_str(), with, at, orbit);
     camera = home;
     if (pictures != nullptr) {
-      (void)write_png(renderer.read(), std::string(pictures) + "/" + name + ".png");
+      (void)renderer.draw(frame, camera, with, at);
+      (void)write_png(renderer.read(), std::string(pictures) + "/" + quality.name + ".png");
     }
   }
   frame.world = nullptr;

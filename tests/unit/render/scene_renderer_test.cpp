@@ -6,6 +6,7 @@
 #include <epoxy/gl.h>
 
 #include <cmath>
+#include <functional>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 
@@ -18,6 +19,13 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 class SceneRendererTest : public GlTest {};
+
+Picture drawn_by(SceneRenderer& renderer, const World& world, double t, const Camera& camera,
+                 const Style& style) {
+  const auto drawn = renderer.draw(world, t, camera, style, {120, 90});
+  EXPECT_TRUE(drawn.ok());
+  return renderer.read();
+}
 
 World world_of(std::shared_ptr<const Model> model, const Mat4& place = Mat4(1.0)) {
   World world;
@@ -345,6 +353,71 @@ TEST_F(SceneRendererTest, PresentsTheVeryBytesThatItReads) {
   EXPECT_NE(renderer().texture(), 0u);
   // Drawing again gives the same bytes.
   EXPECT_EQ(difference(picture, draw(world, 1, three_quarter(world, 1), {}, 64, 48)), 0.0);
+}
+
+// What is kept from one picture to the next never shows: a renderer that has drawn other pictures
+// before draws the same as a fresh one.
+TEST_F(SceneRendererTest, KeptFiguresAndShadowsAreThoseOfTheFrame) {
+  const World world = lopsided();
+  World other = lopsided();
+  other.actors[0].clip = bending_clip(*other.actors[0].model, -0.9);
+  World without = world;
+  without.actors.pop_back();
+  const Camera home = three_quarter(world, 0.5);
+  const Style style;
+  Style draft;
+  draft.draft = true;
+  Style low = style;
+  low.key_elevation = 20;
+  Style small = style;
+  small.shadow_map_size = 300;
+  small.samples = 1;
+  const std::vector<std::function<Picture(SceneRenderer&)>> pictures = {
+      [&](SceneRenderer& r) { return drawn_by(r, world, 0.5, home, style); },
+      [&](SceneRenderer& r) { return drawn_by(r, world, 0.5, orbited(home, 0.4, 0.1), style); },
+      [&](SceneRenderer& r) { return drawn_by(r, world, 0.5, panned(home, 0.1, 0.1), style); },
+      [&](SceneRenderer& r) { return drawn_by(r, world, 0.9, home, style); },
+      [&](SceneRenderer& r) { return drawn_by(r, other, 0.9, home, style); },
+      [&](SceneRenderer& r) { return drawn_by(r, without, 0.9, home, style); },
+      [&](SceneRenderer& r) { return drawn_by(r, world, 0.5, home, low); },
+      [&](SceneRenderer& r) { return drawn_by(r, world, 0.5, home, small); },
+      [&](SceneRenderer& r) { return drawn_by(r, world, 0.5, home, draft); },
+      [&](SceneRenderer& r) { return drawn_by(r, world, 0.9, home, draft); },
+  };
+  std::vector<Picture> fresh;
+  for (const auto& picture : pictures) {
+    auto made = SceneRenderer::create();
+    ASSERT_TRUE(made.ok());
+    fresh.push_back(picture(*made));
+  }
+  EXPECT_GT(difference(fresh[0], fresh[3]), 0.0);
+  EXPECT_GT(difference(fresh[3], fresh[5]), 0.0);
+  // All pairs, one after the other, and an id picture of something else in between.
+  for (std::size_t a = 0; a < pictures.size(); ++a) {
+    for (std::size_t b = 0; b < pictures.size(); ++b) {
+      (void)pictures[a](renderer());
+      if ((a + b) % 3 == 0) {
+        std::vector<ActorState> states;
+        world_state_at(other, 0.2, states);
+        Frame frame;
+        frame.world = &other;
+        frame.states = &states;
+        (void)renderer().pick_all(frame, home, {16, 16});
+      }
+      EXPECT_EQ(difference(pictures[b](renderer()), fresh[b]), 0.0) << a << " then " << b;
+    }
+  }
+}
+
+TEST_F(SceneRendererTest, DraftsLookLikeThePicture) {
+  const World world = lopsided();
+  const Camera camera = three_quarter(world, 0.5);
+  Style draft;
+  draft.draft = true;
+  const Picture empty = draw(World{}, 0, camera, draft);
+  const Picture full = draw(world, 0.5, camera), fast = draw(world, 0.5, camera, draft);
+  EXPECT_GT(difference(full, fast), 0.0);
+  EXPECT_LT(difference(full, fast), 0.25 * difference(fast, empty));
 }
 
 }  // namespace
