@@ -516,11 +516,16 @@ unsigned SceneRenderer::texture() const {
 }
 
 void SceneRenderer::present(unsigned framebuffer, int x, int y) const {
+  present(framebuffer, x, y, data_->buffers.width, data_->buffers.height);
+}
+
+void SceneRenderer::present(unsigned framebuffer, int x, int y, int width, int height) const {
   if (!data_->drawn) return;
-  const int width = data_->buffers.width, height = data_->buffers.height;
+  const int own_width = data_->buffers.width, own_height = data_->buffers.height;
   glDisable(GL_SCISSOR_TEST);
-  glBlitNamedFramebuffer(data_->buffers.bytes_source.name(), framebuffer, 0, 0, width, height, x, y,
-                         x + width, y + height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBlitNamedFramebuffer(data_->buffers.bytes_source.name(), framebuffer, 0, 0, own_width,
+                         own_height, x, y, x + width, y + height, GL_COLOR_BUFFER_BIT,
+                         width == own_width && height == own_height ? GL_NEAREST : GL_LINEAR);
 }
 
 Picture SceneRenderer::read() const {

@@ -52,6 +52,8 @@ class SceneRenderer {
   unsigned texture() const;
   // Copies the last picture, pixel for pixel, to a framebuffer's rectangle with that lower left.
   void present(unsigned framebuffer, int x, int y) const;
+  // The same into a rectangle of another size, smoothly stretched: for pictures drawn coarser.
+  void present(unsigned framebuffer, int x, int y, int width, int height) const;
   // The last picture, rows downwards, opaque. Waits for the GPU.
   Picture read() const;
 

@@ -17,6 +17,7 @@
 #include "app/editor/editor.h"
 #include "app/editor/key_names.h"
 #include "app/editor/settings.h"
+#include "render/quality.h"
 #include "render/scene_renderer.h"
 #include "ui/actions.h"
 #include "ui/editor_ui.h"
@@ -160,6 +161,8 @@ class EditorWindow {
         glfwPollEvents();
       else if (editor_.working() || ui_->animating())
         glfwWaitEventsTimeout(kWorkingWait);
+      else if (const auto finer = quality_.redraw_at())
+        glfwWaitEventsTimeout(std::max(1e-3, *finer - glfwGetTime()));
       else
         glfwWaitEvents();
       const double start = glfwGetTime();
@@ -171,13 +174,15 @@ class EditorWindow {
         editor_.handle(command::OpenFiles{std::exchange(input.dropped, {})});
       const bool changed = editor_.update(start);
       if (input.events > 0 || changed) frames = kFramesAfterAnEvent;
-      const bool alive = editor_.moving() || editor_.working() || ui_->animating();
+      const auto finer = quality_.redraw_at();
+      const bool alive =
+          editor_.moving() || editor_.working() || ui_->animating() || (finer && start >= *finer);
       if (frames == 0 && !alive) continue;
       const double asked = input.first_event;
       const int events = std::exchange(input.events, 0);
       input.first_event = -1;
       if (frames > 0) --frames;
-      frame();
+      frame(events > 0);
       const double end = glfwGetTime();
       if (log)
         *log << start << ' ' << (asked >= 0 ? (end - asked) * 1e3 : -1.0) << ' '
@@ -219,7 +224,8 @@ class EditorWindow {
       ui_ = std::make_unique<Ui>(theme, fonts, scale);
   }
 
-  void frame() {
+  // `asked`: somebody has done something since the last one.
+  void frame(bool asked) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
@@ -236,38 +242,60 @@ class EditorWindow {
     const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(ui_->palette().ground);
     glClearColor(ground.x, ground.y, ground.z, 1);
     glClear(GL_COLOR_BUFFER_BIT);
-    paint_viewport(height);
+    paint_viewport(height, asked);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     glfwSwapBuffers(window_);
   }
 
-  // The picture is drawn only when something in it has changed; else the last one is shown again.
-  void paint_viewport(int window_height) {
+  // The picture is drawn only when something in it has changed, or when the last one was coarser
+  // than it may be at rest; else the last one is shown again.
+  void paint_viewport(int window_height, bool asked) {
     const Rect rect = editor_ui_.viewport();
     const int width = static_cast<int>(rect.width()), height = static_cast<int>(rect.height());
     if (width < 1 || height < 1) return;
     ViewState& view = editor_.view();
-    const Frame& frame = editor_ui_.frame(editor_.state(), view, static_cast<double>(ui_->scale()));
-    const PictureKey key{editor_.picture_version(),
-                         view.camera,
-                         view.compare,
-                         view.show_trails,
-                         view.show_limb,
-                         light_,
-                         width,
-                         height};
-    if (!(key == painted_)) {
+    const EditorState& state = editor_.state();
+    const Frame* frame = &editor_ui_.frame(state, view, static_cast<double>(ui_->scale()));
+    PictureKey key{editor_.picture_version(),
+                   view.camera,
+                   view.compare,
+                   view.show_trails,
+                   view.show_limb,
+                   light_,
+                   width,
+                   height};
+    const double now = glfwGetTime();
+    const auto finer = quality_.redraw_at();
+    if (!(key == painted_) || (finer && now >= *finer)) {
+      // News from the background change the picture once; what the hand does goes on.
+      const bool moving =
+          state.playing || editor_ui_.dragging() || scrubbing() || !(key.camera == painted_.camera);
+      // A picture at rest must not hold up what is being computed and watched.
+      QualityBudget budget;
+      if (editor_.working()) budget.still = budget.moving;
+      quality_.set_budget(budget);
+      const DrawQuality& quality =
+          kQualities[static_cast<std::size_t>(quality_.choose(moving, now))];
+      if (quality.scale != 1)
+        frame = &editor_ui_.frame(
+            state, view, pixel_scale_with_quality(static_cast<double>(ui_->scale()), quality));
       const Status drawn =
-          renderer_.draw(frame, view.camera, viewport_style(light_), {width, height});
+          renderer_.draw(*frame, view.camera, with_quality(viewport_style(light_), quality),
+                         with_quality(PictureSize{width, height}, quality));
       if (!drawn) {
         editor_.tell(Notice::Kind::error, drawn.error());
         return;
       }
+      glFinish();
+      quality_.measured(glfwGetTime() - now);
       painted_ = key;
     }
     renderer_.present(0, static_cast<int>(rect.min.x),
-                      window_height - static_cast<int>(rect.min.y) - height);
+                      window_height - static_cast<int>(rect.min.y) - height, width, height);
   }
+
+  // The playhead, the window or a slider is being dragged.
+  bool scrubbing() const { return ImGui::IsMouseDown(ImGuiMouseButton_Left); }
 
   void write_widgets(const std::filesystem::path& file) {
     std::string text;
@@ -313,6 +341,7 @@ class EditorWindow {
   double scale_ = 0, content_ = 1;
   bool light_ = false;
   PictureKey painted_;
+  QualityController quality_;
   std::string widgets_;
 };
 

@@ -48,6 +48,7 @@ void draw_limb_tab(const PanelContext& context) {
   ImGui::SetCursorPos(line);
   presets(context, limb);
   ImGui::SetCursorPos(below);
+  space(ui, 4);
   for (std::size_t d = 0; d < context.state.dofs.size(); ++d) {
     const DofView& dof = context.state.dofs[d];
     RangeModel range;

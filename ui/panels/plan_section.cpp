@@ -55,7 +55,7 @@ void failure_note(const PanelContext& context) {
 
 float plan_section_height(const PanelContext& context) {
   const Ui& ui = context.ui;
-  const float foot = ui.px(ui.theme().metrics.control) + ui.px(28);
+  const float foot = ui.px(ui.theme().metrics.control) + ui.px(40);
   if (context.state.planning.active) return foot + ui.px(12);
   if (context.state.candidate) return foot + ui.px(206);
   if (context.state.failure) return foot + ui.px(150);

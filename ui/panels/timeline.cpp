@@ -59,9 +59,10 @@ std::vector<TimelineBump> bumps_of(const EditorState& state, const LimbStrip& st
     }
     bump.peak = deepest->time_of_deepest;
     bump.depth = depth_curve(strip, bump.begin, bump.end, full);
-    bump.tooltip = deepest->deepest.part_a + " with " + deepest->deepest.part_b +
-                   (deepest->deepest.depth > 0 ? ", " + length_text(deepest->deepest.depth) : "") +
-                   " at " + number_text(bump.peak, 2, "s");
+    bump.tooltip =
+        deepest->deepest.part_a + " with " + deepest->deepest.part_b +
+        (deepest->deepest.depth > 0 ? "\n" + length_text(deepest->deepest.depth) : "\nFirst") +
+        " at " + number_text(bump.peak, 2, "s");
     bumps.push_back(std::move(bump));
   }
   return bumps;
