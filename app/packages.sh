@@ -13,7 +13,7 @@ packages_build=(
 packages_test=(
   libgtest-dev libbenchmark-dev
   libfcl-dev libccd-dev libeigen3-dev libompl-dev libcgal-dev
-  nodejs npm
+  nodejs npm xvfb xdotool imagemagick
 )
 
 say() { printf '\033[1m[elbowroom]\033[0m %s\n' "$*"; }

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Installs what is missing, builds Elbowroom, and corrects the demo clip into a file, a report and a
-# filmstrip under out/. With arguments: runs the program with them instead.
+# Installs what is missing, builds Elbowroom and opens the editor on the demo scene. With no display
+# it corrects the demo clip into a file, a report and a filmstrip under out/ instead. With arguments:
+# runs the program with them.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # shellcheck source=app/packages.sh
@@ -24,7 +25,11 @@ program="$build/app/elbowroom"
 if [ $# -gt 0 ]; then
   exec "$program" "$@"
 fi
-say "3/3 There is no editor window yet: correcting the demo clip into files instead"
+if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
+  say "3/3 Opening the editor on the demo scene"
+  exec "$program"
+fi
+say "3/3 There is no display for the editor's window: correcting the demo clip into files instead"
 assets="$build/assets"
 out="$root/out"
 mkdir -p "$out"

@@ -267,9 +267,10 @@ class EditorWindow {
     const double now = glfwGetTime();
     const auto finer = quality_.redraw_at();
     if (!(key == painted_) || (finer && now >= *finer)) {
-      // News from the background change the picture once; what the hand does goes on.
-      const bool moving =
-          state.playing || editor_ui_.dragging() || scrubbing() || !(key.camera == painted_.camera);
+      // Whoever does something wants to see it at once, and more may follow; news from the
+      // background change the picture once.
+      const bool moving = asked || state.playing || editor_ui_.dragging() || scrubbing() ||
+                          !(key.camera == painted_.camera);
       // A picture at rest must not hold up what is being computed and watched.
       QualityBudget budget;
       if (editor_.working()) budget.still = budget.moving;
