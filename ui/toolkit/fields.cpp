@@ -213,8 +213,19 @@ TextEdit text_input(Ui& ui, std::string_view label, std::string& text, const Tex
   if (options.focus) ImGui::SetKeyboardFocusHere();
   const std::string before = text;
   const std::string placeholder(options.placeholder);
-  edit.entered = ImGui::InputTextWithHint("##text", placeholder.c_str(), &text,
-                                          ImGuiInputTextFlags_EnterReturnsTrue);
+  ImGuiInputTextFlags flags = ImGuiInputTextFlags_EnterReturnsTrue;
+  if (options.complete) flags |= ImGuiInputTextFlags_CallbackCompletion;
+  const auto complete = [](ImGuiInputTextCallbackData* data) {
+    const auto& completion = static_cast<const TextOptions*>(data->UserData)->complete;
+    const std::string whole = completion(std::string(data->Buf, static_cast<std::size_t>(data->BufTextLen)));
+    data->DeleteChars(0, data->BufTextLen);
+    data->InsertChars(0, whole.data(), whole.data() + whole.size());
+    return 0;
+  };
+  edit.entered = ImGui::InputTextWithHint(
+      "##text", placeholder.c_str(), &text, flags,
+      options.complete ? static_cast<ImGuiInputTextCallback>(complete) : nullptr,
+      const_cast<TextOptions*>(&options));
   edit.began = ImGui::IsItemActivated();
   edit.changed = text != before;
   // Escape reverts the text by itself, and then there is nothing to commit.

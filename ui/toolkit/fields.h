@@ -2,6 +2,7 @@
 // Things that are filled in: numbers with units, text, a choice from a list.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,6 +36,8 @@ struct TextOptions {
   bool focus = false;  // takes the keyboard in this frame
   float width = 0;     // pixels at 100 %; 0: the panel's rest
   bool label_shown = true;
+  // Tab replaces the text by what this makes of it.
+  std::function<std::string(const std::string&)> complete = {};
 };
 struct TextEdit : Edit {
   bool entered = false;  // Enter was pressed

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ui/toolkit/text.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -95,9 +97,12 @@ void inline_text(Ui& ui, std::string_view text, Tone tone) {
 void separator(Ui& ui) {
   space(ui, 5);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float from = ImGui::GetWindowPos().x, to = from + ImGui::GetWindowWidth();
-  ImGui::GetWindowDrawList()->AddRectFilled({from, at.y}, {to, at.y + ui.px(1)},
-                                            ui.palette().line);
+  // Dear ImGui cuts drawings off at half the panel's padding; this goes to the edges.
+  const ImRect inner = ImGui::GetCurrentWindow()->InnerRect;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect({inner.Min.x, list.GetClipRectMin().y}, {inner.Max.x, list.GetClipRectMax().y});
+  list.AddRectFilled({inner.Min.x, at.y}, {inner.Max.x, at.y + ui.px(1)}, ui.palette().line);
+  list.PopClipRect();
   ImGui::Dummy({1, ui.px(1)});
   space(ui, 1);
 }

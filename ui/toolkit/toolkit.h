@@ -5,6 +5,7 @@
 #include "ui/toolkit/buttons.h"
 #include "ui/toolkit/feedback.h"
 #include "ui/toolkit/fields.h"
+#include "ui/toolkit/file_dialog.h"
 #include "ui/toolkit/layout.h"
 #include "ui/toolkit/lists.h"
 #include "ui/toolkit/menus.h"
