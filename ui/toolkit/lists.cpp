@@ -134,10 +134,14 @@ RowResult list_row(Ui& ui, std::string_view label, const RowOptions& options) {
   // it would be left. A badge is worth cutting the name to half the row.
   const float room = right - left - ui.px(8);
   const float rest = room - std::ceil(size_of(font, shown).x);
-  const float badge_width = std::ceil(size_of(ui.fonts().small, options.badge).x) + 2 * ui.px(7);
-  if (!options.badge.empty() && badge_width <= std::max(rest, room / 2)) {
-    right -=
-        badge(ui, list, right, row.min.y, height, options.badge, options.badge_tone) + ui.px(8);
+  const auto badge_width = [&ui](std::string_view text) {
+    return std::ceil(size_of(ui.fonts().small, text).x) + 2 * ui.px(7);
+  };
+  std::string_view pill = options.badge;
+  // "2 problems" becomes "2" before it goes: the colour of the dot is not to be the only signal.
+  if (badge_width(pill) > std::max(rest, room / 2)) pill = pill.substr(0, pill.find(' '));
+  if (!pill.empty() && badge_width(pill) <= std::max(rest, room / 2)) {
+    right -= badge(ui, list, right, row.min.y, height, pill, options.badge_tone) + ui.px(8);
   } else if (!options.right.empty() && options.badge.empty() && rest > ui.px(28)) {
     const float width = std::min(std::ceil(size_of(ui.fonts().small, options.right).x), rest);
     draw_text(list, ui.fonts().small, {right - width, middle(row.min.y, height, ui.fonts().small)},

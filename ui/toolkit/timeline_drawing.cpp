@@ -257,7 +257,8 @@ void draw_timeline(Ui& ui, const TimelineModel& model, const TimelineLayout& lay
       const float end = scale.x_of(layout.clip.to);
       // What has not been looked at yet is veiled, so that it does not pass for clear.
       list.AddRectFilled({std::max(left, to), strip.min.y},
-                         {std::min(end, strip.max.x), strip.max.y}, with_opacity(p.ground, 0.8f));
+                         {std::min(end, strip.max.x), strip.max.y},
+                         with_opacity(p.dark ? p.ground : p.line, 0.8f));
       list.AddRectFilled({std::max(left, from), strip.max.y - ui.px(2)}, {to, strip.max.y},
                          with_opacity(p.accent, 0.8f));
     }
@@ -327,7 +328,8 @@ void draw_timeline(Ui& ui, const TimelineModel& model, const TimelineLayout& lay
   list.PopClipRect();
   if (layout.marks.height() > 0) name(layout.marks, model.marks_label, p.quiet, regular);
   if (layout.curves.height() > 1) {
-    const float y = layout.curves.min.y + ui.px(6);
+    const float y = layout.curves.min.y +
+                    (layout.curves.height() < regular->FontSize + ui.px(12) ? 0 : ui.px(6));
     draw_text(list, regular, {layout.labels.min.x + pad, y}, p.quiet, model.curves_label,
               label_room);
     // Its value under the playhead, of the curve that holds now.

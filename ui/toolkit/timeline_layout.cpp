@@ -41,8 +41,10 @@ TimelineLayout lay_out(const Ui& ui, const TimelineModel& model, const TimelineV
   layout.marks = {{left, y}, {right, y + std::min(marks, std::max(0.0f, all.max.y - y))}};
   y = layout.marks.max.y;
   const float rest = all.max.y - y;
-  const bool has_curves = curves > 0 && rest >= ui.px(34);
-  layout.curves = {{left, y + ui.px(4)}, {right, has_curves ? all.max.y - ui.px(6) : y + ui.px(4)}};
+  const bool has_curves = curves > 0 && rest >= ui.px(24);
+  layout.curves = {
+      {left, y + ui.px(4)},
+      {right, has_curves ? all.max.y - ui.px(rest < ui.px(40) ? 3 : 6) : y + ui.px(4)}};
   return layout;
 }
 
