@@ -69,8 +69,8 @@ Pressed press(std::string_view label, ImVec2 size, bool enabled) {
   ImGui::PushID(label.data(), label.data() + label.size());
   ImGui::BeginDisabled(!enabled);
   pressed.min = ImGui::GetCursorScreenPos();
-  pressed.clicked = ImGui::InvisibleButton("##press", {std::max(1.0f, size.x),
-                                                       std::max(1.0f, size.y)});
+  pressed.clicked =
+      ImGui::InvisibleButton("##press", {std::max(1.0f, size.x), std::max(1.0f, size.y)});
   pressed.hovered = ImGui::IsItemHovered();
   pressed.held = ImGui::IsItemActive();
   ImGui::EndDisabled();
@@ -99,13 +99,13 @@ bool button(Ui& ui, std::string_view label, const ButtonOptions& options) {
   const std::string_view shown = shown_part(label);
   ImFont* font = options.look == ButtonLook::primary ? ui.fonts().semibold : ui.fonts().regular;
   const float rest = ImGui::GetContentRegionAvail().x;
-  const ImVec2 size(options.width < 0 ? std::max(ui.px(24), std::floor(rest))
-                                      : button_width(ui, label, options),
-                    ui.px(ui.theme().metrics.control));
+  const ImVec2 size(
+      options.width < 0 ? std::max(ui.px(24), std::floor(rest)) : button_width(ui, label, options),
+      ui.px(ui.theme().metrics.control));
   const Pressed pressed = press(label, size, options.enabled);
   const float rounding = ui.px(ui.theme().metrics.rounding);
-  const Face face = face_of(ui, options.look, options.on, options.enabled, pressed.hovered,
-                            pressed.held);
+  const Face face =
+      face_of(ui, options.look, options.on, options.enabled, pressed.hovered, pressed.held);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (face.ground != 0) list.AddRectFilled(pressed.min, pressed.max, face.ground, rounding);
   if (face.line != 0) list.AddRect(pressed.min, pressed.max, face.line, rounding);
@@ -140,8 +140,8 @@ bool icon_button(Ui& ui, std::string_view name, Icon icon, const IconButtonOptio
   const float rounding = ui.px(ui.theme().metrics.rounding);
   Face face = face_of(ui, options.look, options.on, options.enabled, pressed.hovered, pressed.held);
   if (options.look == ButtonLook::quiet || options.look == ButtonLook::secondary) {
-    face.text = !options.enabled ? with_opacity(ui.palette().faint, 0.55f)
-                : options.on     ? ui.palette().accent
+    face.text = !options.enabled  ? with_opacity(ui.palette().faint, 0.55f)
+                : options.on      ? ui.palette().accent
                 : pressed.hovered ? ui.palette().text
                                   : ui.colour(options.tone);
     if (options.on) face.line = 0;
@@ -177,13 +177,16 @@ bool toggle(Ui& ui, std::string_view label, bool& on, const ToggleOptions& optio
   const float knob = track_height / 2 - ui.px(2);
   list.AddCircleFilled({on ? at.x + track_width - track_height / 2 : at.x + track_height / 2,
                         at.y + track_height / 2},
-                       knob, on ? p.on_accent : options.enabled ? p.handle : p.faint);
+                       knob,
+                       on                ? p.on_accent
+                       : options.enabled ? p.handle
+                                         : p.faint);
   draw_text(list, font, {at.x + track_width + gap, middle(pressed.min.y, height, font)},
             options.enabled ? p.text : p.faint, shown);
   focus_ring(ui, at, {at.x + track_width, at.y + track_height}, track_height / 2);
   explain(ui, options.hint, {}, options.shortcut);
-  ui.record(WidgetKind::toggle, label, pressed.min, pressed.max, on ? "on" : "off",
-            options.enabled, on);
+  ui.record(WidgetKind::toggle, label, pressed.min, pressed.max, on ? "on" : "off", options.enabled,
+            on);
   return changed;
 }
 
@@ -209,8 +212,8 @@ bool tabs(Ui& ui, std::string_view name, const std::vector<std::string>& labels,
   float total = 0;
   for (const std::string& label : labels) total += std::ceil(size_of(font, shown_part(label)).x);
   const float room = ImGui::GetContentRegionAvail().x;
-  const float pad = std::clamp(std::floor((room - total) / static_cast<float>(2 * count)),
-                               ui.px(3), ui.px(13));
+  const float pad =
+      std::clamp(std::floor((room - total) / static_cast<float>(2 * count)), ui.px(3), ui.px(13));
   bool focused = false;
   for (int i = 0; i < count; ++i) {
     const std::string& label = labels[static_cast<std::size_t>(i)];
@@ -223,8 +226,8 @@ bool tabs(Ui& ui, std::string_view name, const std::vector<std::string>& labels,
     if (pressed.clicked) chosen = i;
     const bool is_chosen = i == chosen;
     if (is_chosen) {
-      list.AddRectFilled(pressed.min, pressed.max, p.raised,
-                         ui.px(ui.theme().metrics.rounding), ImDrawFlags_RoundCornersTop);
+      list.AddRectFilled(pressed.min, pressed.max, p.raised, ui.px(ui.theme().metrics.rounding),
+                         ImDrawFlags_RoundCornersTop);
       list.AddRectFilled({pressed.min.x + pad, pressed.max.y - ui.px(2)},
                          {pressed.max.x - pad, pressed.max.y}, p.accent);
     }
@@ -235,7 +238,8 @@ bool tabs(Ui& ui, std::string_view name, const std::vector<std::string>& labels,
     if (i + 1 < count) ImGui::SameLine(0, 0);
   }
   if (focused && ImGui::GetIO().NavVisible) {
-    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_LeftArrow))) chosen = std::max(0, chosen - 1);
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_LeftArrow)))
+      chosen = std::max(0, chosen - 1);
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_RightArrow))) {
       chosen = std::min(count - 1, chosen + 1);
     }

@@ -21,13 +21,13 @@ enum class ButtonLook {
 
 struct ButtonOptions {
   ButtonLook look = ButtonLook::secondary;
-  Icon icon = Icon::none;     // left of the label
+  Icon icon = Icon::none;          // left of the label
   std::string_view shortcut = {};  // drawn inside, right of the label: "P"
   std::string_view hint = {};      // status line and tooltip: what a click does
   bool enabled = true;
-  std::string_view why_not = {};   // shown instead of the hint while not enabled
-  float width = 0;            // pixels at 100 %; 0: as the label takes; below 0: the panel's rest
-  bool on = false;            // drawn as pressed in (a mode that holds)
+  std::string_view why_not = {};  // shown instead of the hint while not enabled
+  float width = 0;  // pixels at 100 %; 0: as the label takes; below 0: the panel's rest
+  bool on = false;  // drawn as pressed in (a mode that holds)
 };
 // True when clicked (or Space/Enter with the keyboard's focus).
 bool button(Ui& ui, std::string_view label, const ButtonOptions& options = {});
@@ -41,7 +41,7 @@ struct IconButtonOptions {
   bool enabled = true;
   bool on = false;
   Tone tone = Tone::quiet;
-  float size = 28;            // pixels at 100 %
+  float size = 28;  // pixels at 100 %
 };
 // `name` is not drawn: it is the name for tests and the tooltip.
 bool icon_button(Ui& ui, std::string_view name, Icon icon, const IconButtonOptions& options = {});

@@ -66,7 +66,8 @@ bool inline_note(Ui& ui, Tone tone, std::string_view what, std::string_view more
   const auto block = [wrap](ImFont* with, std::string_view text) {
     return text.empty() ? 0.0f
                         : with->CalcTextSizeA(with->FontSize, std::numeric_limits<float>::max(),
-                                              wrap, text.data(), text.data() + text.size()).y;
+                                              wrap, text.data(), text.data() + text.size())
+                              .y;
   };
   const float first = block(font, what), second = block(small, more);
   const float height = std::round(first + (more.empty() ? 0 : second + ui.px(3)) + 2 * ui.px(8));
@@ -179,8 +180,8 @@ std::optional<int> ask(Ui& ui, bool& open, const Question& question) {
   if (!ImGui::IsWindowAppearing() && !answer) {
     if (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter)) answer = 0;
     if (pressed(ImGuiKey_Escape)) {
-      answer = question.on_escape >= 0 && question.on_escape < count ? question.on_escape
-                                                                     : count - 1;
+      answer =
+          question.on_escape >= 0 && question.on_escape < count ? question.on_escape : count - 1;
     }
   }
   if (answer) {

@@ -12,7 +12,7 @@
 namespace elbowroom {
 
 struct ProgressOptions {
-  std::string_view right = {};   // "4 s left", "seed 3"
+  std::string_view right = {};  // "4 s left", "seed 3"
   bool can_cancel = true;
   Tone tone = Tone::accent;
 };
@@ -28,11 +28,11 @@ bool inline_note(Ui& ui, Tone tone, std::string_view what, std::string_view more
                  bool can_dismiss = false);
 
 struct Question {
-  std::string title;     // "Save changes to walk.elbow?"
-  std::string text;      // wrapped
+  std::string title;                 // "Save changes to walk.elbow?"
+  std::string text;                  // wrapped
   std::vector<std::string> answers;  // the first is the primary one: {"Save", "Discard", "Cancel"}
-  int on_escape = -1;    // -1: the last answer
-  int dangerous = -1;    // an answer that loses work: drawn as such
+  int on_escape = -1;                // -1: the last answer
+  int dangerous = -1;                // an answer that loses work: drawn as such
 };
 // A dialog over everything, while `open`. The answer's index once it is given (Enter gives the
 // first, Escape `on_escape`); then `open` is false. Call in every frame, from the same id scope.

@@ -21,12 +21,12 @@ struct FieldLine {
 
 FieldLine field_line(const Ui& ui, std::string_view shown, float wanted_width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float all = wanted_width > 0 ? ui.px(wanted_width)
-                                     : std::max(ui.px(40), std::floor(ImGui::GetContentRegionAvail().x));
+  const float all = wanted_width > 0
+                        ? ui.px(wanted_width)
+                        : std::max(ui.px(40), std::floor(ImGui::GetContentRegionAvail().x));
   const float height = ui.px(ui.theme().metrics.control - 4);
   const float text = shown.empty() ? 0 : std::max(std::floor(all * 0.45f), 0.0f);
-  return {{at, {at.x + text, at.y + height}},
-          {{at.x + text, at.y}, {at.x + all, at.y + height}}};
+  return {{at, {at.x + text, at.y + height}}, {{at.x + text, at.y}, {at.x + all, at.y + height}}};
 }
 
 void draw_field_label(const Ui& ui, const FieldLine& line, std::string_view shown, bool enabled) {
@@ -64,14 +64,16 @@ std::vector<double> typed_numbers(std::string_view text) {
   for (std::size_t i = 0; i < plain.size();) {
     const char c = plain[i];
     const bool digit = c >= '0' && c <= '9';
-    const bool sign = c == '-' && !after_number;
+    // "85-140" and "85 - 140" are two numbers, "85 -140" has a minus.
+    const bool stands_off =
+        i > 0 && plain[i - 1] == ' ' && i + 1 < plain.size() && plain[i + 1] != ' ';
+    const bool sign = c == '-' && (!after_number || stands_off);
     if (!digit && !sign && c != '.') {
       // A word or a comma starts anew; blanks and units' signs between number and dash do not.
-      if (c == ';' || c == '/') after_number = false;
+      if (c == ';' || c == '/' || c == '-') after_number = false;
       ++i;
       continue;
     }
-    if (c == '-' && after_number) after_number = false;
     double value = 0;
     const auto [end, error] = std::from_chars(plain.data() + i, plain.data() + plain.size(), value);
     if (error == std::errc() && std::isfinite(value)) {
@@ -79,7 +81,8 @@ std::vector<double> typed_numbers(std::string_view text) {
       after_number = true;
       i = static_cast<std::size_t>(end - plain.data());
     } else {
-      ++i;
+      // Too large a number is passed over whole; what is none, a character at a time.
+      i = std::max(i + 1, static_cast<std::size_t>(end - plain.data()));
     }
   }
   return numbers;
@@ -101,7 +104,8 @@ Edit number_input(Ui& ui, std::string_view label, double& value, const NumberOpt
   const std::string_view shown = shown_part(label);
   const FieldLine line = field_line(ui, shown, options.width);
   draw_field_label(ui, line, shown, options.enabled);
-  const auto scope = ui.scope(static_cast<int>(ImGui::GetID(label.data(), label.data() + label.size())));
+  const auto scope =
+      ui.scope(static_cast<int>(ImGui::GetID(label.data(), label.data() + label.size())));
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImGuiID id = ImGui::GetID("##number");
@@ -148,22 +152,27 @@ Edit number_input(Ui& ui, std::string_view label, double& value, const NumberOpt
     const bool type = (hovered && ImGui::IsMouseDoubleClicked(0)) ||
                       (ImGui::IsItemFocused() && io.NavVisible &&
                        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false));
+    // Dear ImGui itself lets go of the item on Escape, where the keyboard navigates.
+    const bool escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+    if (escaped && memory[2] == 1 && (ImGui::IsItemActive() || ImGui::IsItemDeactivated())) {
+      value = memory[1];
+      edit.changed = edit.cancelled = true;
+      memory[2] = 2;
+    }
     if (ImGui::IsItemActive() && !type) {
       if (memory[2] == 0 && ImGui::IsMouseDragging(0, ui.px(3))) {
         memory[2] = 1;
         edit.began = true;
       }
       if (memory[2] == 1) {
-        if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
-          value = memory[1];
-          edit.changed = edit.cancelled = true;
-          memory[2] = 2;
-        } else if (io.MouseDelta.x != 0) {
-          const double step = options.drag_step > 0 ? options.drag_step
-                                                    : std::pow(10.0, -std::clamp(options.decimals, 0, 12));
+        if (io.MouseDelta.x != 0) {
+          const double step = options.drag_step > 0
+                                  ? options.drag_step
+                                  : std::pow(10.0, -std::clamp(options.decimals, 0, 12));
           const double speed = io.KeyShift ? 0.1 : io.KeyCtrl ? 10.0 : 1.0;
-          value = put_right(value + static_cast<double>(io.MouseDelta.x) / static_cast<double>(ui.scale()) *
-                                        step * speed / per, options);
+          value = put_right(value + static_cast<double>(io.MouseDelta.x) /
+                                        static_cast<double>(ui.scale()) * step * speed / per,
+                            options);
           edit.changed = value != given;
         }
       }
@@ -217,7 +226,8 @@ TextEdit text_input(Ui& ui, std::string_view label, std::string& text, const Tex
   if (options.complete) flags |= ImGuiInputTextFlags_CallbackCompletion;
   const auto complete = [](ImGuiInputTextCallbackData* data) {
     const auto& completion = static_cast<const TextOptions*>(data->UserData)->complete;
-    const std::string whole = completion(std::string(data->Buf, static_cast<std::size_t>(data->BufTextLen)));
+    const std::string whole =
+        completion(std::string(data->Buf, static_cast<std::size_t>(data->BufTextLen)));
     data->DeleteChars(0, data->BufTextLen);
     data->InsertChars(0, whole.data(), whole.data() + whole.size());
     return 0;
@@ -231,7 +241,8 @@ TextEdit text_input(Ui& ui, std::string_view label, std::string& text, const Tex
   // Escape reverts the text by itself, and then there is nothing to commit.
   const bool escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
   edit.cancelled = ImGui::IsItemDeactivated() && escaped;
-  edit.committed = (ImGui::IsItemDeactivatedAfterEdit() || (edit.entered && edit.changed)) && !escaped;
+  edit.committed =
+      (ImGui::IsItemDeactivatedAfterEdit() || (edit.entered && edit.changed)) && !escaped;
   ImGui::PopStyleVar();
   ImGui::EndDisabled();
   explain(ui, options.hint);
@@ -272,9 +283,8 @@ bool combo(Ui& ui, std::string_view label, int& chosen, const std::vector<std::s
                        mixed(p.raised, p.text, hovered && options.enabled ? 0.06f : 0),
                        ui.px(ui.theme().metrics.rounding));
   }
-  draw_text(list, font,
-            {line.box.min.x + pad, middle(line.box.min.y, line.box.height(), font)}, ink, preview,
-            line.box.width() - 2 * pad - chevron - ui.px(6));
+  draw_text(list, font, {line.box.min.x + pad, middle(line.box.min.y, line.box.height(), font)},
+            ink, preview, line.box.width() - 2 * pad - chevron - ui.px(6));
   draw_icon(list, Icon::chevron_down,
             {line.box.max.x - pad - chevron / 2, line.box.min.y + line.box.height() / 2}, chevron,
             options.quiet ? ink : p.quiet);
@@ -282,9 +292,9 @@ bool combo(Ui& ui, std::string_view label, int& chosen, const std::vector<std::s
   bool changed = false;
   ImGui::SetNextWindowSizeConstraints({std::max(line.box.width(), ui.px(120)), 0},
                                       {ui.px(480), ui.px(420)});
-  ImGui::SetNextWindowPos({options.quiet ? line.box.max.x : line.box.min.x,
-                           line.box.max.y + ui.px(2)},
-                          ImGuiCond_Appearing, {options.quiet ? 1.0f : 0.0f, 0});
+  ImGui::SetNextWindowPos(
+      {options.quiet ? line.box.max.x : line.box.min.x, line.box.max.y + ui.px(2)},
+      ImGuiCond_Appearing, {options.quiet ? 1.0f : 0.0f, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(4), ui.px(4)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   if (ImGui::BeginPopup("##list")) {
@@ -328,8 +338,8 @@ bool heading_combo(Ui& ui, std::string_view text, std::string_view name, int& ch
   const bool inside = chosen >= 0 && chosen < static_cast<int>(entries.size());
   const std::string_view preview =
       inside ? std::string_view(entries[static_cast<std::size_t>(chosen)]) : "–";
-  const float choice = std::min(std::ceil(size_of(ui.fonts().small_medium, preview).x) + ui.px(28),
-                                width);
+  const float choice =
+      std::min(std::ceil(size_of(ui.fonts().small_medium, preview).x) + ui.px(28), width);
   const float height = ui.px(ui.theme().metrics.row);
   ImFont* font = ui.fonts().small_medium;
   if (width - choice > ui.px(40)) {

@@ -13,12 +13,13 @@
 namespace elbowroom {
 
 struct NumberOptions {
-  std::string_view unit = {};  // "cm", "°", "s"
+  std::string_view unit = {};              // "cm", "°", "s"
   double minimum = -1e12, maximum = 1e12;  // of the value, before `shown_per_value`
   int decimals = 2;
   double shown_per_value = 1;  // 180/π shows radians in degrees, 100 metres in centimetres
   double drag_step = 0;        // shown units a pixel; 0: one of the last decimal
-  std::optional<double> reset_to = {};  // Ctrl-click... double-click types; right click resets to this
+  std::optional<double> reset_to =
+      {};  // Ctrl-click... double-click types; right click resets to this
   std::string_view hint = {};
   bool enabled = true;
   float width = 0;  // pixels at 100 %; 0: the panel's rest
@@ -55,8 +56,8 @@ struct ComboOptions {
 bool combo(Ui& ui, std::string_view label, int& chosen, const std::vector<std::string>& entries,
            const ComboOptions& options = {});
 
-// A heading with a quiet choice at its right edge: "Sampling intervals      High arm". The choice is
-// named `name`.
+// A heading with a quiet choice at its right edge: "Sampling intervals      High arm". The choice
+// is named `name`.
 bool heading_combo(Ui& ui, std::string_view heading, std::string_view name, int& chosen,
                    const std::vector<std::string>& entries, std::string_view hint = {});
 

@@ -71,11 +71,11 @@ std::optional<fs::path> take(FileDialog& dialog, const FileDialogOptions& option
   if (fs::is_directory(path, ignored)) {
     const bool here = (path / "").lexically_normal() == (dialog.folder / "").lexically_normal();
     if (here) {
-      dialog.error = Error{options.purpose == FilePurpose::save ? "The file has no name yet"
-                                                                : "No file is chosen",
-                           {}, options.purpose == FilePurpose::save
-                                   ? "Type a name after the folder"
-                                   : "Choose one in the list, or type its name"};
+      dialog.error = Error{
+          options.purpose == FilePurpose::save ? "The file has no name yet" : "No file is chosen",
+          {},
+          options.purpose == FilePurpose::save ? "Type a name after the folder"
+                                               : "Choose one in the list, or type its name"};
     } else {
       go_to(dialog, path);
     }
@@ -161,10 +161,11 @@ bool listing(Ui& ui, FileDialog& dialog) {
       for (std::size_t at = 0; (at = name.find("##", at)) != std::string::npos; at += 2) {
         name.replace(at, 2, "#\u200b#");
       }
-      const RowResult result =
-          list_row(ui, name, {.icon = entry.folder ? Icon::folder : Icon::file,
-                              .icon_tone = entry.folder ? Tone::accent : Tone::quiet,
-                              .right = size, .selected = i == dialog.selected});
+      const RowResult result = list_row(ui, name,
+                                        {.icon = entry.folder ? Icon::folder : Icon::file,
+                                         .icon_tone = entry.folder ? Tone::accent : Tone::quiet,
+                                         .right = size,
+                                         .selected = i == dialog.selected});
       if (result.clicked) {
         select(dialog, i);
         dialog.to_replace.reset();
@@ -225,7 +226,8 @@ std::optional<fs::path> file_dialog(Ui& ui, FileDialog& dialog, const FileDialog
   };
   const TextEdit typed = text_input(ui, "Path", dialog.path_text,
                                     {.placeholder = "Type a path; Tab completes",
-                                     .focus = dialog.just_opened, .label_shown = false,
+                                     .focus = dialog.just_opened,
+                                     .label_shown = false,
                                      .complete = complete});
   dialog.just_opened = false;
   if (typed.changed) {
@@ -236,8 +238,8 @@ std::optional<fs::path> file_dialog(Ui& ui, FileDialog& dialog, const FileDialog
   space(ui, 2);
 
   // Places and the folder's list.
-  const float footer = ui.px(ui.theme().metrics.control) + ui.px(10) +
-                       (dialog.error || asking ? ui.px(58) : 0);
+  const float footer =
+      ui.px(ui.theme().metrics.control) + ui.px(10) + (dialog.error || asking ? ui.px(58) : 0);
   const float height = std::max(ui.px(60), ImGui::GetContentRegionAvail().y - footer);
   const float side = std::min(ui.px(150), ImGui::GetContentRegionAvail().x / 3);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(8), ui.px(4)});

@@ -32,7 +32,7 @@ struct FileDialogOptions {
 struct FileDialog {
   bool open = false;
   std::filesystem::path folder;
-  std::string path_text;  // as typed
+  std::string path_text;                      // as typed
   std::vector<std::filesystem::path> recent;  // folders, newest first; at most 8
   bool hidden = false, all_files = false;
 

@@ -52,9 +52,9 @@ Result<std::vector<FileEntry>> list_folder(const std::filesystem::path& folder,
   std::filesystem::directory_iterator next(folder, failed);
   if (failed) {
     const bool missing = failed == std::errc::no_such_file_or_directory;
-    return Error{missing ? "There is no such folder"
-                         : "The folder cannot be read: " + failed.message(),
-                 folder.string(), missing ? "Check the path" : "Choose another folder"};
+    return Error{
+        missing ? "There is no such folder" : "The folder cannot be read: " + failed.message(),
+        folder.string(), missing ? "Check the path" : "Choose another folder"};
   }
   std::vector<FileEntry> entries;
   for (; next != std::filesystem::directory_iterator() && entries.size() < 50000;

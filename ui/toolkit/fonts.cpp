@@ -13,9 +13,9 @@ namespace {
 
 // Latin with its accents, Greek and Cyrillic (names in files), and the signs the window uses:
 // dashes, quotes, bullet, ellipsis, ‹ ›, arrows, − ≈ ≤ ≥, ✓ ✗. (° × · µ are Latin-1.)
-constexpr ImWchar kRanges[] = {0x0020, 0x017f, 0x0370, 0x03ff, 0x0400, 0x045f, 0x2010, 0x2027,
-                               0x2030, 0x203a, 0x2190, 0x2195, 0x2212, 0x2212, 0x2248, 0x2248,
-                               0x2260, 0x2265, 0x2713, 0x2717, 0};
+constexpr ImWchar kRanges[] = {0x0020, 0x017f, 0x0370, 0x03ff, 0x0400, 0x045f, 0x2010,
+                               0x2027, 0x2030, 0x203a, 0x2190, 0x2195, 0x2212, 0x2212,
+                               0x2248, 0x2248, 0x2260, 0x2265, 0x2713, 0x2717, 0};
 
 std::vector<char> bytes_of_font(const std::filesystem::path& file) {
   std::vector<char> bytes;

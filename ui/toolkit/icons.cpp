@@ -15,8 +15,11 @@ constexpr float kPi = std::numbers::pi_v<float>;
 class Pen {
  public:
   Pen(ImDrawList& list, ImVec2 centre, float size, ImU32 colour)
-      : list_(list), centre_(std::round(centre.x), std::round(centre.y)), unit_(size / 16),
-        width_(std::max(1.0f, 1.5f * size / 16)), colour_(colour) {}
+      : list_(list),
+        centre_(std::round(centre.x), std::round(centre.y)),
+        unit_(size / 16),
+        width_(std::max(1.0f, 1.5f * size / 16)),
+        colour_(colour) {}
 
   ImVec2 at(ImVec2 p) const { return {centre_.x + p.x * unit_, centre_.y + p.y * unit_}; }
   void line(std::initializer_list<ImVec2> points, bool closed = false) const {
@@ -66,8 +69,17 @@ void turn(const Pen& pen, bool clockwise) {
 }
 
 void almond(const Pen& pen) {
-  pen.line({{-7, 0}, {-4.5f, -3}, {-1.5f, -4.4f}, {1.5f, -4.4f}, {4.5f, -3}, {7, 0},
-            {4.5f, 3}, {1.5f, 4.4f}, {-1.5f, 4.4f}, {-4.5f, 3}}, true);
+  pen.line({{-7, 0},
+            {-4.5f, -3},
+            {-1.5f, -4.4f},
+            {1.5f, -4.4f},
+            {4.5f, -3},
+            {7, 0},
+            {4.5f, 3},
+            {1.5f, 4.4f},
+            {-1.5f, 4.4f},
+            {-4.5f, 3}},
+           true);
 }
 
 }  // namespace
@@ -75,8 +87,10 @@ void almond(const Pen& pen) {
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 colour) {
   const Pen pen(list, centre, size, colour);
   switch (icon) {
-    case Icon::none: return;
-    case Icon::play: return pen.fill({{-4, -6}, {6.5f, 0}, {-4, 6}});
+    case Icon::none:
+      return;
+    case Icon::play:
+      return pen.fill({{-4, -6}, {6.5f, 0}, {-4, 6}});
     case Icon::pause:
       pen.fill({{-5, -6}, {-1.5f, -6}, {-1.5f, 6}, {-5, 6}});
       return pen.fill({{1.5f, -6}, {5, -6}, {5, 6}, {1.5f, 6}});
@@ -86,8 +100,10 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 col
     case Icon::last:
       pen.line({{5.5f, -5.5f}, {5.5f, 5.5f}});
       return pen.fill({{-5, -5.5f}, {3.5f, 0}, {-5, 5.5f}});
-    case Icon::step_back: return pen.fill({{3.5f, -5.5f}, {3.5f, 5.5f}, {-5, 0}});
-    case Icon::step_forward: return pen.fill({{-3.5f, -5.5f}, {5, 0}, {-3.5f, 5.5f}});
+    case Icon::step_back:
+      return pen.fill({{3.5f, -5.5f}, {3.5f, 5.5f}, {-5, 0}});
+    case Icon::step_forward:
+      return pen.fill({{-3.5f, -5.5f}, {5, 0}, {-3.5f, 5.5f}});
     case Icon::loop:
       pen.line({{-4, -3.5f}, {4, -3.5f}, {6, -1.5f}, {6, 1}});
       pen.line({{4, 3.5f}, {-4, 3.5f}, {-6, 1.5f}, {-6, -1}});
@@ -113,8 +129,10 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 col
       pen.line({{-4.5f, -4}, {-3.8f, 6}, {3.8f, 6}, {4.5f, -4}});
       pen.line({{-1.4f, -1.5f}, {-1.4f, 3.5f}});
       return pen.line({{1.4f, -1.5f}, {1.4f, 3.5f}});
-    case Icon::undo: return turn(pen, true);
-    case Icon::redo: return turn(pen, false);
+    case Icon::undo:
+      return turn(pen, true);
+    case Icon::redo:
+      return turn(pen, false);
     case Icon::refresh:
       pen.arc({0, 0.5f}, 5.2f, -kPi * 0.06f, kPi * 1.42f);
       return pen.fill({{-0.8f, -8}, {-0.8f, -1.6f}, {4.4f, -4.8f}});
@@ -122,31 +140,40 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 col
       pen.box({-7, -4}, {7, 5.5f}, 1.5f);
       pen.line({{-3, -4}, {-2, -6}, {2, -6}, {3, -4}});
       return pen.ring({0, 0.6f}, 2.6f);
-    case Icon::chevron_left: return pen.line({{2, -4.5f}, {-2.5f, 0}, {2, 4.5f}});
-    case Icon::chevron_right: return pen.line({{-2, -4.5f}, {2.5f, 0}, {-2, 4.5f}});
-    case Icon::chevron_up: return pen.line({{-4.5f, 2}, {0, -2.5f}, {4.5f, 2}});
-    case Icon::chevron_down: return pen.line({{-4.5f, -2}, {0, 2.5f}, {4.5f, -2}});
-    case Icon::dot: return pen.disc({0, 0}, 3.6f);
-    case Icon::ring: return pen.ring({0, 0}, 5);
+    case Icon::chevron_left:
+      return pen.line({{2, -4.5f}, {-2.5f, 0}, {2, 4.5f}});
+    case Icon::chevron_right:
+      return pen.line({{-2, -4.5f}, {2.5f, 0}, {-2, 4.5f}});
+    case Icon::chevron_up:
+      return pen.line({{-4.5f, 2}, {0, -2.5f}, {4.5f, 2}});
+    case Icon::chevron_down:
+      return pen.line({{-4.5f, -2}, {0, 2.5f}, {4.5f, -2}});
+    case Icon::dot:
+      return pen.disc({0, 0}, 3.6f);
+    case Icon::ring:
+      return pen.ring({0, 0}, 5);
     case Icon::dotted_ring:
       for (int i = 0; i < 8; ++i) {
         const float a = static_cast<float>(i) * kPi / 4;
         pen.arc({0, 0}, 5, a, a + kPi / 8);
       }
       return;
-    case Icon::diamond: return pen.fill({{0, -6}, {6, 0}, {0, 6}, {-6, 0}});
+    case Icon::diamond:
+      return pen.fill({{0, -6}, {6, 0}, {0, 6}, {-6, 0}});
     case Icon::warning:
       pen.line({{0, -6.5f}, {7, 5.8f}, {-7, 5.8f}}, true);
       pen.line({{0, -2}, {0, 2}});
       return pen.disc({0, 3.9f}, 0.95f);
-    case Icon::check: return pen.line({{-5.5f, 0.5f}, {-1.8f, 4.2f}, {5.8f, -4.6f}});
+    case Icon::check:
+      return pen.line({{-5.5f, 0.5f}, {-1.8f, 4.2f}, {5.8f, -4.6f}});
     case Icon::plus:
       pen.line({{-5.5f, 0}, {5.5f, 0}});
       return pen.line({{0, -5.5f}, {0, 5.5f}});
     case Icon::close:
       pen.line({{-4.8f, -4.8f}, {4.8f, 4.8f}});
       return pen.line({{4.8f, -4.8f}, {-4.8f, 4.8f}});
-    case Icon::file: return pen.line({{-4.5f, -7}, {1.5f, -7}, {5, -3.5f}, {5, 7}, {-4.5f, 7}}, true);
+    case Icon::file:
+      return pen.line({{-4.5f, -7}, {1.5f, -7}, {5, -3.5f}, {5, 7}, {-4.5f, 7}}, true);
     case Icon::folder:
       return pen.line({{-7, -5}, {-2, -5}, {-0.5f, -3}, {7, -3}, {7, 5.5f}, {-7, 5.5f}}, true);
     case Icon::home:

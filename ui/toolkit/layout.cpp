@@ -97,9 +97,9 @@ std::optional<Keys> parse_keys(std::string_view text) {
     int code;
   };
   static constexpr Named kNamed[] = {
-      {"Space", 32},  {"Esc", 256},      {"Enter", 257}, {"Tab", 258},  {"Backspace", 259},
-      {"Insert", 260}, {"Delete", 261},  {"Right", 262}, {"Left", 263}, {"Down", 264},
-      {"Up", 265},    {"PageUp", 266},   {"PageDown", 267}, {"Home", 268}, {"End", 269}};
+      {"Space", 32},   {"Esc", 256},    {"Enter", 257},    {"Tab", 258},  {"Backspace", 259},
+      {"Insert", 260}, {"Delete", 261}, {"Right", 262},    {"Left", 263}, {"Down", 264},
+      {"Up", 265},     {"PageUp", 266}, {"PageDown", 267}, {"Home", 268}, {"End", 269}};
   for (const Named& named : kNamed) {
     if (text == named.name) keys.code = named.code;
   }
@@ -174,8 +174,8 @@ bool keys_pressed(std::string_view text, bool repeat) {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.WantTextInput) return false;
   const std::optional<Keys> keys = parse_keys(text);
-  if (!keys || keys->control != io.KeyCtrl || keys->shift != io.KeyShift || keys->alt != io.KeyAlt ||
-      io.KeySuper) {
+  if (!keys || keys->control != io.KeyCtrl || keys->shift != io.KeyShift ||
+      keys->alt != io.KeyAlt || io.KeySuper) {
     return false;
   }
   return ImGui::IsKeyPressed(keys->code, repeat);

@@ -88,8 +88,8 @@ RowResult list_row(Ui& ui, std::string_view label, const RowOptions& options) {
     result.toggled = pressed && over;
     left += ui.px(15);
     if (focused) {
-      const int key = ImGui::GetKeyIndex(*options.expanded ? ImGuiKey_LeftArrow
-                                                           : ImGuiKey_RightArrow);
+      const int key =
+          ImGui::GetKeyIndex(*options.expanded ? ImGuiKey_LeftArrow : ImGuiKey_RightArrow);
       result.toggled |= ImGui::IsKeyPressed(key, false);
     }
   }
@@ -104,8 +104,8 @@ RowResult list_row(Ui& ui, std::string_view label, const RowOptions& options) {
   for (std::size_t i = options.actions.size(); i-- > 0;) {
     const RowAction& action = options.actions[i];
     const bool shown_now = result.hovered || options.selected || action.on || focused;
-    const float from = row.max.x - pad + ui.px(4) -
-                       ui.px(22) * static_cast<float>(options.actions.size() - i);
+    const float from =
+        row.max.x - pad + ui.px(4) - ui.px(22) * static_cast<float>(options.actions.size() - i);
     const Rect spot{{from, row.min.y}, {from + ui.px(22), row.max.y}};
     const bool over = result.hovered && spot.contains(mouse);
     if (shown_now) {
@@ -134,14 +134,17 @@ RowResult list_row(Ui& ui, std::string_view label, const RowOptions& options) {
   // it would be left. A badge is worth cutting the name to half the row.
   const float room = right - left - ui.px(8);
   const float rest = room - std::ceil(size_of(font, shown).x);
-  const float badge_width = std::ceil(size_of(ui.fonts().small, options.badge).x) + 2 * ui.px(7);
-  if (!options.badge.empty() && badge_width <= std::max(rest, room / 2)) {
-    right -= badge(ui, list, right, row.min.y, height, options.badge, options.badge_tone) +
-             ui.px(8);
+  const auto badge_width = [&ui](std::string_view text) {
+    return std::ceil(size_of(ui.fonts().small, text).x) + 2 * ui.px(7);
+  };
+  std::string_view pill = options.badge;
+  // "2 problems" becomes "2" before it goes: the colour of the dot is not to be the only signal.
+  if (badge_width(pill) > std::max(rest, room / 2)) pill = pill.substr(0, pill.find(' '));
+  if (!pill.empty() && badge_width(pill) <= std::max(rest, room / 2)) {
+    right -= badge(ui, list, right, row.min.y, height, pill, options.badge_tone) + ui.px(8);
   } else if (!options.right.empty() && options.badge.empty() && rest > ui.px(28)) {
     const float width = std::min(std::ceil(size_of(ui.fonts().small, options.right).x), rest);
-    draw_text(list, ui.fonts().small,
-              {right - width, middle(row.min.y, height, ui.fonts().small)},
+    draw_text(list, ui.fonts().small, {right - width, middle(row.min.y, height, ui.fonts().small)},
               ui.colour(options.right_tone), options.right, width);
     right -= width + ui.px(8);
   }
@@ -205,8 +208,8 @@ CardResult card(Ui& ui, std::string_view title, const std::vector<CardRow>& rows
   ImFont* head = ui.fonts().semibold;
   const float line = font->FontSize + ui.px(3), pad = ui.px(10);
   const float width = options.width > 0 ? std::floor(options.width) : card_width(ui, 1);
-  const float height = 2 * ui.px(8) + head->FontSize + ui.px(3) +
-                       line * static_cast<float>(rows.size());
+  const float height =
+      2 * ui.px(8) + head->FontSize + ui.px(3) + line * static_cast<float>(rows.size());
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 end(at.x + width, at.y + height);
   ImGui::PushID(title.data(), title.data() + title.size());

@@ -32,18 +32,18 @@ struct RowOptions {
   Tone selected_tone = Tone::accent;  // the ground's colour when selected
   bool selected = false;
   bool enabled = true;
-  int indent = 0;                // levels
+  int indent = 0;                     // levels
   std::optional<bool> expanded = {};  // set: a chevron that folds
   std::string_view hint = {};
 };
 
 struct RowResult {
-  bool clicked = false;         // with the left button, neither on the chevron nor on an action
+  bool clicked = false;  // with the left button, neither on the chevron nor on an action
   bool double_clicked = false;
-  bool context = false;         // right button: open a menu
-  bool toggled = false;         // the chevron (or Left/Right with the keyboard's focus)
+  bool context = false;  // right button: open a menu
+  bool toggled = false;  // the chevron (or Left/Right with the keyboard's focus)
   bool hovered = false;
-  int action = -1;              // index of the action clicked
+  int action = -1;  // index of the action clicked
 };
 
 // One row from edge to edge of the panel.

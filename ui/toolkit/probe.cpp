@@ -7,29 +7,52 @@ namespace elbowroom {
 
 const char* name_of(WidgetKind kind) {
   switch (kind) {
-    case WidgetKind::panel: return "panel";
-    case WidgetKind::label: return "label";
-    case WidgetKind::button: return "button";
-    case WidgetKind::icon_button: return "icon";
-    case WidgetKind::toggle: return "toggle";
-    case WidgetKind::tab: return "tab";
-    case WidgetKind::section: return "section";
-    case WidgetKind::row: return "row";
-    case WidgetKind::combo: return "combo";
-    case WidgetKind::number: return "number";
-    case WidgetKind::text_input: return "text";
-    case WidgetKind::progress: return "progress";
-    case WidgetKind::splitter: return "splitter";
-    case WidgetKind::toast: return "toast";
-    case WidgetKind::error: return "error";
-    case WidgetKind::modal: return "dialog";
-    case WidgetKind::card: return "card";
-    case WidgetKind::menu: return "menu";
-    case WidgetKind::menu_item: return "item";
-    case WidgetKind::range: return "range";
-    case WidgetKind::timeline: return "timeline";
-    case WidgetKind::mark: return "mark";
-    case WidgetKind::picture: return "picture";
+    case WidgetKind::panel:
+      return "panel";
+    case WidgetKind::label:
+      return "label";
+    case WidgetKind::button:
+      return "button";
+    case WidgetKind::icon_button:
+      return "icon";
+    case WidgetKind::toggle:
+      return "toggle";
+    case WidgetKind::tab:
+      return "tab";
+    case WidgetKind::section:
+      return "section";
+    case WidgetKind::row:
+      return "row";
+    case WidgetKind::combo:
+      return "combo";
+    case WidgetKind::number:
+      return "number";
+    case WidgetKind::text_input:
+      return "text";
+    case WidgetKind::progress:
+      return "progress";
+    case WidgetKind::splitter:
+      return "splitter";
+    case WidgetKind::toast:
+      return "toast";
+    case WidgetKind::error:
+      return "error";
+    case WidgetKind::modal:
+      return "dialog";
+    case WidgetKind::card:
+      return "card";
+    case WidgetKind::menu:
+      return "menu";
+    case WidgetKind::menu_item:
+      return "item";
+    case WidgetKind::range:
+      return "range";
+    case WidgetKind::timeline:
+      return "timeline";
+    case WidgetKind::mark:
+      return "mark";
+    case WidgetKind::picture:
+      return "picture";
   }
   return "widget";
 }

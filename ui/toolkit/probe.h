@@ -13,8 +13,29 @@
 namespace elbowroom {
 
 enum class WidgetKind {
-  panel, label, button, icon_button, toggle, tab, section, row, combo, number, text_input,
-  progress, splitter, toast, error, modal, card, menu, menu_item, range, timeline, mark, picture
+  panel,
+  label,
+  button,
+  icon_button,
+  toggle,
+  tab,
+  section,
+  row,
+  combo,
+  number,
+  text_input,
+  progress,
+  splitter,
+  toast,
+  error,
+  modal,
+  card,
+  menu,
+  menu_item,
+  range,
+  timeline,
+  mark,
+  picture
 };
 const char* name_of(WidgetKind kind);
 
@@ -23,8 +44,8 @@ struct ProbedWidget {
   std::string name;   // the last part: stable from frame to frame
   std::string label;  // as shown
   WidgetKind kind = WidgetKind::label;
-  ImVec2 min, max;     // on the screen, cut off at the panel's edge
-  std::string value;   // as shown: "85° – 140°", "on", "34 %"
+  ImVec2 min, max;    // on the screen, cut off at the panel's edge
+  std::string value;  // as shown: "85° – 140°", "on", "34 %"
   bool enabled = true;
   bool selected = false;
   bool visible = true;  // false: scrolled out of sight, or covered by nothing but not drawn

@@ -18,8 +18,18 @@ namespace {
 constexpr int kNone = 0, kLow = 1, kHigh = 2, kBar = 3;
 
 // What the slider keeps between frames, in Ui::memory.
-enum Kept { kGrip, kMoved, kStartLow, kStartHigh, kStartMouse, kLastHandle, kTyping, kFrames,
-            kHasKeys, kKeptCount };
+enum Kept {
+  kGrip,
+  kMoved,
+  kStartLow,
+  kStartHigh,
+  kStartMouse,
+  kLastHandle,
+  kTyping,
+  kFrames,
+  kHasKeys,
+  kKeptCount
+};
 
 struct Track {
   double low = 0, high = 1;  // values at the ends
@@ -29,11 +39,14 @@ struct Track {
     const double t = std::clamp((value - low) / (high - low), 0.0, 1.0);
     return std::round(left + static_cast<float>(t) * width);
   }
-  double values_a_pixel() const { return (high - low) / static_cast<double>(std::max(width, 1.0f)); }
+  double values_a_pixel() const {
+    return (high - low) / static_cast<double>(std::max(width, 1.0f));
+  }
 };
 
+// Within what pixels and steps can still tell apart.
 double finite_or(double value, double otherwise) {
-  return std::isfinite(value) ? value : otherwise;
+  return std::isfinite(value) ? std::clamp(value, -1e9, 1e9) : otherwise;
 }
 
 void order(double& low, double& high) {
@@ -102,11 +115,12 @@ void put_right(RangeModel& m) {
   m.default_high = std::clamp(m.default_high, m.limit_low, m.limit_high);
   if (m.current && !std::isfinite(*m.current)) m.current.reset();
   if (m.clip && !std::isfinite(*m.clip)) m.clip.reset();
-  const bool given = std::isfinite(m.track_low) && std::isfinite(m.track_high) &&
-                     m.track_low != m.track_high;
-  if (given) {
-    order(m.track_low, m.track_high);
-  } else {
+  const bool given =
+      std::isfinite(m.track_low) && std::isfinite(m.track_high) && m.track_low != m.track_high;
+  m.track_low = finite_or(m.track_low, 0);
+  m.track_high = finite_or(m.track_high, 0);
+  order(m.track_low, m.track_high);
+  if (!given || m.track_low == m.track_high) {
     const double air = 0.06 * (m.limit_high - m.limit_low);
     m.track_low = m.limit_low - air;
     m.track_high = m.limit_high + air;
@@ -164,8 +178,9 @@ Edit range_slider(Ui& ui, std::string_view name, RangeModel& m, const RangeOptio
     ImGui::SetCursorScreenPos({at.x + width - box, at.y - ui.px(2)});
     ImGui::SetNextItemWidth(box);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(8), ui.px(2)});
-    const bool entered = ImGui::InputText(
-        "##typed", &typed, ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool entered =
+        ImGui::InputText("##typed", &typed,
+                         ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
     const bool left = kept[kFrames] > 1 && !ImGui::IsItemActive();
     ImGui::PopStyleVar();
     kept[kFrames] += 1;
@@ -225,20 +240,24 @@ Edit range_slider(Ui& ui, std::string_view name, RangeModel& m, const RangeOptio
     kept[kStartHigh] = m.high;
     kept[kStartMouse] = static_cast<double>(mouse);
   }
-  const int grip = active ? static_cast<int>(kept[kGrip]) : kNone;
+  // Dear ImGui itself lets go of the item on Escape, where the keyboard navigates.
+  const bool let_go = ImGui::IsItemDeactivated();
+  const int grip = active || let_go ? static_cast<int>(kept[kGrip]) : kNone;
   if (hovered && ImGui::IsMouseDoubleClicked(0) && options.enabled) {
     m.low = m.default_low;
     m.high = m.default_high;
     edit.committed = m.low != before_low || m.high != before_high;
     kept[kGrip] = kNone;
-  } else if (active && grip != kNone) {
+  } else if (grip != kNone) {
     if (pressed(ImGuiKey_Escape, false)) {
       m.low = std::clamp(kept[kStartLow], m.limit_low, m.limit_high);
       m.high = std::clamp(kept[kStartHigh], m.limit_low, m.limit_high);
       edit.cancelled = kept[kMoved] != 0;
       kept[kGrip] = kNone;
-    } else if (kept[kMoved] != 0 ||
-               std::abs(static_cast<double>(mouse) - kept[kStartMouse]) >= 1) {
+      kept[kMoved] = 0;
+    } else if (let_go) {
+      // The value is the last frame's; the pointer may already be elsewhere.
+    } else if (kept[kMoved] != 0 || std::abs(static_cast<double>(mouse) - kept[kStartMouse]) >= 1) {
       edit.began = kept[kMoved] == 0;
       kept[kMoved] = 1;
       const double fine = io.KeyShift ? 0.1 : 1.0;
@@ -257,9 +276,8 @@ Edit range_slider(Ui& ui, std::string_view name, RangeModel& m, const RangeOptio
       }
     }
   }
-  if (ImGui::IsItemDeactivated() && kept[kGrip] != kNone) {
-    edit.committed |= kept[kMoved] != 0 &&
-                      (m.low != kept[kStartLow] || m.high != kept[kStartHigh]);
+  if (let_go && kept[kGrip] != kNone) {
+    edit.committed |= kept[kMoved] != 0 && (m.low != kept[kStartLow] || m.high != kept[kStartHigh]);
     kept[kGrip] = kNone;
     kept[kMoved] = 0;
   }
@@ -269,8 +287,11 @@ Edit range_slider(Ui& ui, std::string_view name, RangeModel& m, const RangeOptio
                     (kept[kHasKeys] != 0 || (ImGui::IsItemFocused() && io.NavVisible)) &&
                     ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
   if (keys) {
+    const double keys_low = m.low, keys_high = m.high;
     const double step = (options.key_step > 0 ? options.key_step / std::abs(per) : unit_step) *
-                        (io.KeyShift ? 0.1 : io.KeyCtrl ? 10.0 : 1.0);
+                        (io.KeyShift  ? 0.1
+                         : io.KeyCtrl ? 10.0
+                                      : 1.0);
     const double move = (pressed(ImGuiKey_RightArrow, true) ? step : 0) -
                         (pressed(ImGuiKey_LeftArrow, true) ? step : 0);
     if (pressed(ImGuiKey_UpArrow, false)) kept[kLastHandle] = kHigh;
@@ -285,7 +306,7 @@ Edit range_slider(Ui& ui, std::string_view name, RangeModel& m, const RangeOptio
       m.high = m.default_high;
     }
     start_typing |= pressed(ImGuiKey_Enter, false);
-    if (m.low != before_low || m.high != before_high) edit.committed = true;
+    edit.committed |= m.low != keys_low || m.high != keys_high;
   }
   if (start_typing && options.enabled) {
     kept[kTyping] = 1;
@@ -295,16 +316,19 @@ Edit range_slider(Ui& ui, std::string_view name, RangeModel& m, const RangeOptio
 
   if (options.enabled && (hovered || active)) {
     const int shape = active ? grip : under;
-    if (shape != kNone) ImGui::SetMouseCursor(shape == kBar ? ImGuiMouseCursor_Hand
-                                                            : ImGuiMouseCursor_ResizeEW);
+    if (shape != kNone)
+      ImGui::SetMouseCursor(shape == kBar ? ImGuiMouseCursor_Hand : ImGuiMouseCursor_ResizeEW);
     ui.hint(!options.hint.empty() ? options.hint
             : active              ? "Shift: fine · Esc: put back"
             : shape == kBar       ? "Drag: move the interval · Double-click: reset"
             : shape != kNone      ? "Drag: this end of the interval · Double-click: reset"
                                   : "Double-click: reset");
   }
-  draw(ui, m, track, y, active ? grip : hovered && under != kBar ? under : kNone, hovered,
-       options.enabled);
+  draw(ui, m, track, y,
+       active                     ? grip
+       : hovered && under != kBar ? under
+                                  : kNone,
+       hovered, options.enabled);
   if (keys) {
     const float x = track.x_of(kept[kLastHandle] == kLow ? m.low : m.high);
     ImGui::GetWindowDrawList()->AddRect({x - ui.px(5), y - ui.px(8)}, {x + ui.px(6), y + ui.px(8)},

@@ -14,9 +14,9 @@
 namespace elbowroom {
 
 struct RangeModel {
-  double limit_low = 0, limit_high = 0;    // what the joint can do
-  double track_low = 0, track_high = 0;    // the track's ends; equal: the limits with some air
-  double low = 0, high = 0;                // the interval
+  double limit_low = 0, limit_high = 0;      // what the joint can do
+  double track_low = 0, track_high = 0;      // the track's ends; equal: the limits with some air
+  double low = 0, high = 0;                  // the interval
   double default_low = 0, default_high = 0;  // double-click goes back here
   std::optional<double> current = {};        // a tick
   std::optional<double> clip = {};           // a thinner tick
@@ -26,7 +26,7 @@ struct RangeOptions {
   std::string_view unit = "°";
   double shown_per_value = 57.29577951308232;  // degrees in a radian
   int decimals = 0;
-  double key_step = 0;  // shown units an arrow key; 0: one of the last decimal
+  double key_step = 0;          // shown units an arrow key; 0: one of the last decimal
   std::string_view right = {};  // instead of the numbers: "90 – 100 % first, then all"
   std::string_view hint = {};
   bool enabled = true;

@@ -44,9 +44,7 @@ void line(Ui& ui, std::string_view text, std::string_view right, const LineLook&
 }
 
 // Takes the usual gap back, so that what follows stands directly below.
-void close_up() {
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
-}
+void close_up() { ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y); }
 
 }  // namespace
 
@@ -73,9 +71,8 @@ void note(Ui& ui, std::string_view text, Tone tone) {
   ImFont* font = ui.fonts().small;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = std::max(ui.px(40), ImGui::GetContentRegionAvail().x);
-  const ImVec2 size =
-      font->CalcTextSizeA(font->FontSize, std::numeric_limits<float>::max(), width, text.data(),
-                          text.data() + text.size());
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, std::numeric_limits<float>::max(), width,
+                                          text.data(), text.data() + text.size());
   ImGui::GetWindowDrawList()->AddText(font, font->FontSize, at, ui.colour(tone), text.data(),
                                       text.data() + text.size(), width);
   ImGui::Dummy({width, std::max(size.y, font->FontSize)});
@@ -107,9 +104,7 @@ void separator(Ui& ui) {
   space(ui, 1);
 }
 
-void space(Ui& ui, float pixels) {
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ui.px(pixels));
-}
+void space(Ui& ui, float pixels) { ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ui.px(pixels)); }
 
 ImVec2 key_cap_size(const Ui& ui, std::string_view keys) {
   ImFont* font = ui.fonts().small;
@@ -120,8 +115,8 @@ void draw_key_cap(const Ui& ui, ImDrawList& list, ImVec2 right_centre, std::stri
   const ImVec2 size = key_cap_size(ui, keys);
   const ImVec2 at(std::round(right_centre.x - size.x), std::round(right_centre.y - size.y / 2));
   list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ui.palette().panel, ui.px(4));
-  list.AddRect(at, {at.x + size.x, at.y + size.y}, mixed(ui.palette().line, ui.palette().text, 0.1f),
-               ui.px(4));
+  list.AddRect(at, {at.x + size.x, at.y + size.y},
+               mixed(ui.palette().line, ui.palette().text, 0.1f), ui.px(4));
   draw_text(list, ui.fonts().small, {at.x + ui.px(6), at.y + ui.px(2)}, ui.palette().quiet, keys);
 }
 

@@ -53,7 +53,7 @@ Theme dark_theme() {
   p.line = colour_of(0x2d323d);
   p.text = colour_of(0xe6e9ef);
   p.quiet = colour_of(0x9aa3b2);
-  p.faint = colour_of(0x838d9f);  // as dim as 4.5:1 on every ground allows
+  p.faint = colour_of(0x868fa1);  // as dim as 4.5:1 on every ground allows
   p.accent = colour_of(0x4da3ff);
   p.problem = colour_of(0xff7a45);
   p.good = colour_of(0x3ecf9a);

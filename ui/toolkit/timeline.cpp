@@ -140,16 +140,16 @@ TimelineEvent dragged(const Frame& frame, double mouse, bool put_back) {
       event.kind = Kind::window_changed;
       event.row = drag.index;
       if (!put_back) {
-        event.begin = std::max(clip.from, std::min(frame.snapped(drag.begin + moved),
-                                                   drag.end - frame.least()));
+        event.begin = std::max(
+            clip.from, std::min(frame.snapped(drag.begin + moved), drag.end - frame.least()));
       }
       break;
     case Grip::window_high:
       event.kind = Kind::window_changed;
       event.row = drag.index;
       if (!put_back) {
-        event.end = std::min(clip.to, std::max(frame.snapped(drag.end + moved),
-                                               drag.begin + frame.least()));
+        event.end = std::min(clip.to,
+                             std::max(frame.snapped(drag.end + moved), drag.begin + frame.least()));
       }
       break;
     case Grip::window_band:
@@ -176,7 +176,8 @@ TimelineEvent dragged(const Frame& frame, double mouse, bool put_back) {
       if (!put_back) event.time = frame.snapped(drag.time + moved);
       break;
     case Grip::pan:
-    case Grip::none: break;
+    case Grip::none:
+      break;
   }
   return event;
 }
@@ -209,9 +210,8 @@ void step_drag(Frame& frame, const TimelineHover& hover, double mouse, bool clic
   TimelineView::Drag& drag = frame.view.drag;
   const ImGuiIO& io = ImGui::GetIO();
   const bool fixed_mark =
-      drag.kind == Grip::mark &&
-      (drag.index >= static_cast<int>(frame.model.marks.size()) ||
-       !frame.model.marks[static_cast<std::size_t>(drag.index)].movable);
+      drag.kind == Grip::mark && (drag.index >= static_cast<int>(frame.model.marks.size()) ||
+                                  !frame.model.marks[static_cast<std::size_t>(drag.index)].movable);
   // A row or a mark that went away meanwhile takes its drag with it.
   if (drag.index >= 0 && drag.kind != Grip::mark &&
       drag.index >= static_cast<int>(frame.model.rows.size())) {
@@ -355,8 +355,8 @@ void record(Frame& frame, std::string_view name) {
   }
   for (std::size_t i = 0; i < model.marks.size(); ++i) {
     const float x = layout.scale.x_of(model.marks[i].time);
-    part("mark." + std::to_string(i), {{x - ui.px(9), layout.marks.min.y},
-                                       {x + ui.px(9), layout.marks.max.y}},
+    part("mark." + std::to_string(i),
+         {{x - ui.px(9), layout.marks.min.y}, {x + ui.px(9), layout.marks.max.y}},
          model.marks[i].label, model.marks[i].selected);
   }
   if (layout.curves.height() > 1) part("curves", layout.curves);

@@ -60,9 +60,9 @@ struct TimelineCurve {
 struct TimelineModel {
   double begin = 0, end = 1;  // of the clip
   double frame_rate = 30;
-  bool show_frames = false;    // the ruler's labels
-  bool snap = false;           // times go to whole frames
-  double time = 0;             // the playhead
+  bool show_frames = false;  // the ruler's labels
+  bool snap = false;         // times go to whole frames
+  double time = 0;           // the playhead
   std::vector<TimelineRow> rows = {};
   std::optional<TimelineWindow> window = {};
   std::string marks_label = "Tasks";
@@ -70,7 +70,7 @@ struct TimelineModel {
   std::string curves_label = "Clearance";
   std::vector<TimelineCurve> curves = {};
   std::string curve_unit = "cm";
-  double curve_shown_per_value = 100;  // metres in centimetres
+  double curve_shown_per_value = 100;    // metres in centimetres
   std::optional<double> threshold = {};  // a dotted line, in the curves' values
   std::vector<double> key_times = {};    // short ticks under the ruler
 };
@@ -84,8 +84,8 @@ struct TimelineView {
   struct Drag {
     enum class Kind { none, playhead, window_low, window_high, window_band, draw, mark, pan };
     Kind kind = Kind::none;
-    int index = -1;        // row or mark
-    double grabbed = 0;    // time under the mouse at the beginning
+    int index = -1;                       // row or mark
+    double grabbed = 0;                   // time under the mouse at the beginning
     double begin = 0, end = 0, time = 0;  // values at the beginning
     bool moved = false;
   } drag;

@@ -95,8 +95,8 @@ void stroke(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 colour, f
     float at = 0;
     while (at < length) {
       const bool drawing = travelled < dash;
-      const float step = std::max(std::min((drawing ? dash : dash + gap) - travelled, length - at),
-                                  0.01f);
+      const float step =
+          std::max(std::min((drawing ? dash : dash + gap) - travelled, length - at), 0.01f);
       const float to = std::min(at + step, length);
       if (drawing) {
         const auto on = [&](float s) {
@@ -142,7 +142,8 @@ void draw_curve(const Ui& ui, ImDrawList& list, const TimelineLayout& layout,
     const float column = std::floor(layout.scale.x_of(from->time));
     ImVec2 least(layout.scale.x_of(from->time), y_of(from->value)), greatest = least, last = least;
     for (++from; from < to && std::isfinite(from->value) &&
-                 std::floor(layout.scale.x_of(from->time)) == column; ++from) {
+                 std::floor(layout.scale.x_of(from->time)) == column;
+         ++from) {
       last = {layout.scale.x_of(from->time), y_of(from->value)};
       if (last.y < least.y) least = last;
       if (last.y > greatest.y) greatest = last;
@@ -206,8 +207,8 @@ void draw_timeline(Ui& ui, const TimelineModel& model, const TimelineLayout& lay
                        {layout.marks.max.x, layout.marks.max.y - ui.px(2)},
                        p.dark ? groove : p.ground, ui.px(3));
   }
-  const auto ticks = ticks_of(scale, layout.clip.from, model.frame_rate, model.show_frames,
-                              ui.px(84));
+  const auto ticks =
+      ticks_of(scale, layout.clip.from, model.frame_rate, model.show_frames, ui.px(84));
   list.PushClipRect({left, layout.all.min.y}, {right, bottom}, true);
   const float floor = layout.ruler.max.y;
   for (const Tick& tick : ticks) {
@@ -255,8 +256,9 @@ void draw_timeline(Ui& ui, const TimelineModel& model, const TimelineLayout& lay
       const float to = scale.x_of(layout.clip.from + share * layout.clip.length());
       const float end = scale.x_of(layout.clip.to);
       // What has not been looked at yet is veiled, so that it does not pass for clear.
-      list.AddRectFilled({std::max(left, to), strip.min.y}, {std::min(end, strip.max.x), strip.max.y},
-                         with_opacity(p.ground, 0.8f));
+      list.AddRectFilled({std::max(left, to), strip.min.y},
+                         {std::min(end, strip.max.x), strip.max.y},
+                         with_opacity(p.dark ? p.ground : p.line, 0.8f));
       list.AddRectFilled({std::max(left, from), strip.max.y - ui.px(2)}, {to, strip.max.y},
                          with_opacity(p.accent, 0.8f));
     }
@@ -266,7 +268,8 @@ void draw_timeline(Ui& ui, const TimelineModel& model, const TimelineLayout& lay
       const Rect handle = window_handle(ui, layout, *window, low);
       const bool lit = low ? hover.low : hover.high;
       list.AddRectFilled(handle.min, handle.max, lit ? mixed(p.accent, p.text, 0.4f) : p.accent,
-                         ui.px(3), low ? ImDrawFlags_RoundCornersLeft : ImDrawFlags_RoundCornersRight);
+                         ui.px(3),
+                         low ? ImDrawFlags_RoundCornersLeft : ImDrawFlags_RoundCornersRight);
     }
   }
   list.PopClipRect();
@@ -276,7 +279,8 @@ void draw_timeline(Ui& ui, const TimelineModel& model, const TimelineLayout& lay
     const ValueRange values = values_of(model);
     if (model.threshold && std::isfinite(*model.threshold)) {
       const double t = (*model.threshold - values.low) / (values.high - values.low);
-      const float y = std::round(layout.curves.max.y - static_cast<float>(t) * layout.curves.height());
+      const float y =
+          std::round(layout.curves.max.y - static_cast<float>(t) * layout.curves.height());
       for (float x = left; x < layout.curves.max.x; x += ui.px(6)) {
         list.AddRectFilled({x, y}, {x + ui.px(2), y + 1}, mixed(p.line, p.text, 0.35f));
       }
@@ -296,8 +300,10 @@ void draw_timeline(Ui& ui, const TimelineModel& model, const TimelineLayout& lay
     const float top = layout.ruler.min.y;
     list.AddRectFilled({x, top}, {x + ui.px(2), bottom}, p.selection);
     const float centre = x + ui.px(2) / 2;
-    const ImVec2 head[] = {{centre - half, top}, {centre + half, top},
-                           {centre + half, top + half * 0.7f}, {centre, top + half * 1.7f},
+    const ImVec2 head[] = {{centre - half, top},
+                           {centre + half, top},
+                           {centre + half, top + half * 0.7f},
+                           {centre, top + half * 1.7f},
                            {centre - half, top + half * 0.7f}};
     list.AddConvexPolyFilled(head, 5, p.selection);
   }
@@ -313,13 +319,17 @@ void draw_timeline(Ui& ui, const TimelineModel& model, const TimelineLayout& lay
   for (std::size_t r = 0; r < model.rows.size(); ++r) {
     const TimelineRow& row = model.rows[r];
     const bool lit = row.selected || hover.row == static_cast<int>(r);
-    name(layout.rows[r], row.label, !row.enabled ? p.faint : lit ? p.text : p.quiet,
+    name(layout.rows[r], row.label,
+         !row.enabled ? p.faint
+         : lit        ? p.text
+                      : p.quiet,
          row.selected ? ui.fonts().medium : regular);
   }
   list.PopClipRect();
   if (layout.marks.height() > 0) name(layout.marks, model.marks_label, p.quiet, regular);
   if (layout.curves.height() > 1) {
-    const float y = layout.curves.min.y + ui.px(6);
+    const float y = layout.curves.min.y +
+                    (layout.curves.height() < regular->FontSize + ui.px(12) ? 0 : ui.px(6));
     draw_text(list, regular, {layout.labels.min.x + pad, y}, p.quiet, model.curves_label,
               label_room);
     // Its value under the playhead, of the curve that holds now.

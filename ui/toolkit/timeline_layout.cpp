@@ -26,15 +26,13 @@ TimelineLayout lay_out(const Ui& ui, const TimelineModel& model, const TimelineV
   const float marks = model.marks_label.empty() ? 0 : ui.px(28);
   const float curves = model.curves_label.empty() ? 0 : ui.px(56);
   const float count = static_cast<float>(std::max<std::size_t>(model.rows.size(), 1));
-  const float row = std::floor(
-      std::clamp((room - marks - curves) / count, ui.px(20), ui.px(30)));
+  const float row = std::floor(std::clamp((room - marks - curves) / count, ui.px(20), ui.px(30)));
   const float rows = model.rows.empty() ? 0 : row * count;
   const float shown = std::min(rows, std::max(std::min(rows, row), room - marks));
   layout.row_area = {{left, y}, {all.max.x, y + shown}};
   layout.most_scroll = rows - shown;
-  const float scroll =
-      std::round(std::clamp(std::isfinite(view.row_scroll) ? view.row_scroll : 0.0f, 0.0f,
-                            layout.most_scroll));
+  const float scroll = std::round(std::clamp(
+      std::isfinite(view.row_scroll) ? view.row_scroll : 0.0f, 0.0f, layout.most_scroll));
   for (std::size_t i = 0; i < model.rows.size(); ++i) {
     const float top = y - scroll + row * static_cast<float>(i);
     layout.rows.push_back({{left, top + ui.px(2)}, {right, top + row - ui.px(2)}});
@@ -43,8 +41,10 @@ TimelineLayout lay_out(const Ui& ui, const TimelineModel& model, const TimelineV
   layout.marks = {{left, y}, {right, y + std::min(marks, std::max(0.0f, all.max.y - y))}};
   y = layout.marks.max.y;
   const float rest = all.max.y - y;
-  const bool has_curves = curves > 0 && rest >= ui.px(34);
-  layout.curves = {{left, y + ui.px(4)}, {right, has_curves ? all.max.y - ui.px(6) : y + ui.px(4)}};
+  const bool has_curves = curves > 0 && rest >= ui.px(24);
+  layout.curves = {
+      {left, y + ui.px(4)},
+      {right, has_curves ? all.max.y - ui.px(rest < ui.px(40) ? 3 : 6) : y + ui.px(4)}};
   return layout;
 }
 
@@ -91,9 +91,9 @@ Rect bump_rect(const Ui& ui, const TimelineLayout& layout, int row, const Timeli
 std::optional<double> value_at(const TimelineCurve& curve, double time) {
   const auto& s = curve.samples;
   if (s.empty() || !std::isfinite(time)) return std::nullopt;
-  const auto after = std::lower_bound(
-      s.begin(), s.end(), time,
-      [](const TimelineSample& sample, double t) { return sample.time < t; });
+  const auto after =
+      std::lower_bound(s.begin(), s.end(), time,
+                       [](const TimelineSample& sample, double t) { return sample.time < t; });
   if (after == s.end()) return std::nullopt;
   if (after == s.begin()) {
     return after->time == time && std::isfinite(after->value) ? std::optional(after->value)

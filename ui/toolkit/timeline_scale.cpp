@@ -66,13 +66,14 @@ std::vector<Tick> ticks_of(const TimeScale& scale, double begin, double frame_ra
   const double origin = frames ? begin : 0.0;
   const double unit_pixels = second / scale.seconds_a_pixel();
   if (!(unit_pixels > 0) || !(scale.width > 1)) return ticks;
-  const Step step = nice_step(static_cast<double>(std::max(label_pixels, 8.0f)) / unit_pixels,
-                              frames);
+  const Step step =
+      nice_step(static_cast<double>(std::max(label_pixels, 8.0f)) / unit_pixels, frames);
   int parts = step.parts;
   if (frames && step.size < 5) parts = static_cast<int>(step.size);
   if (step.size / parts * unit_pixels < 6) parts = 1;
   const double minor = step.size / parts;
-  const auto first = static_cast<long long>(std::ceil((scale.range.from - origin) / second / minor));
+  const auto first =
+      static_cast<long long>(std::ceil((scale.range.from - origin) / second / minor));
   const auto last = static_cast<long long>(std::floor((scale.range.to - origin) / second / minor));
   for (long long i = first; i <= last && ticks.size() < 4096; ++i) {
     const double value = static_cast<double>(i) * minor;
@@ -80,9 +81,10 @@ std::vector<Tick> ticks_of(const TimeScale& scale, double begin, double frame_ra
     if (tick.major) {
       char text[64];
       // Zero needs no decimals.
-      if (value == 0) std::snprintf(text, sizeof text, "0");
-      else std::snprintf(text, sizeof text, "%.*f", std::clamp(-step.exponent, 0, 6),
-                    value);
+      if (value == 0)
+        std::snprintf(text, sizeof text, "0");
+      else
+        std::snprintf(text, sizeof text, "%.*f", std::clamp(-step.exponent, 0, 6), value);
       tick.label = text;
       if (i == 0 && !frames) tick.label += " s";
       if (i == 0 && frames) tick.label += " f";

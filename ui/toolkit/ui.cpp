@@ -167,8 +167,9 @@ float draw_text(ImDrawList& list, ImFont* font, ImVec2 at, ImU32 colour, std::st
   }
   const float dots = size_of(font, "…").x;
   const char* cut = text.data();
-  drawn = font->CalcTextSizeA(font->FontSize, std::max(0.0f, width - dots), 0, text.data(), end,
-                              &cut).x;
+  drawn =
+      font->CalcTextSizeA(font->FontSize, std::max(0.0f, width - dots), 0, text.data(), end, &cut)
+          .x;
   while (cut > text.data() && cut[-1] == ' ') --cut;
   drawn = cut > text.data()
               ? size_of(font, text.substr(0, static_cast<std::size_t>(cut - text.data()))).x

@@ -9,16 +9,26 @@ namespace elbowroom {
 namespace {
 
 void map_keys(ImGuiIO& io) {
-  const std::pair<ImGuiKey, int> pairs[] = {
-      {ImGuiKey_Tab, keys::kTab},           {ImGuiKey_LeftArrow, keys::kLeft},
-      {ImGuiKey_RightArrow, keys::kRight},  {ImGuiKey_UpArrow, keys::kUp},
-      {ImGuiKey_DownArrow, keys::kDown},    {ImGuiKey_PageUp, keys::kPageUp},
-      {ImGuiKey_PageDown, keys::kPageDown}, {ImGuiKey_Home, keys::kHome},
-      {ImGuiKey_End, keys::kEnd},           {ImGuiKey_Delete, keys::kDelete},
-      {ImGuiKey_Backspace, keys::kBackspace}, {ImGuiKey_Space, keys::kSpace},
-      {ImGuiKey_Enter, keys::kEnter},       {ImGuiKey_Escape, keys::kEscape},
-      {ImGuiKey_A, 'A'}, {ImGuiKey_C, 'C'}, {ImGuiKey_V, 'V'},
-      {ImGuiKey_X, 'X'}, {ImGuiKey_Y, 'Y'}, {ImGuiKey_Z, 'Z'}};
+  const std::pair<ImGuiKey, int> pairs[] = {{ImGuiKey_Tab, keys::kTab},
+                                            {ImGuiKey_LeftArrow, keys::kLeft},
+                                            {ImGuiKey_RightArrow, keys::kRight},
+                                            {ImGuiKey_UpArrow, keys::kUp},
+                                            {ImGuiKey_DownArrow, keys::kDown},
+                                            {ImGuiKey_PageUp, keys::kPageUp},
+                                            {ImGuiKey_PageDown, keys::kPageDown},
+                                            {ImGuiKey_Home, keys::kHome},
+                                            {ImGuiKey_End, keys::kEnd},
+                                            {ImGuiKey_Delete, keys::kDelete},
+                                            {ImGuiKey_Backspace, keys::kBackspace},
+                                            {ImGuiKey_Space, keys::kSpace},
+                                            {ImGuiKey_Enter, keys::kEnter},
+                                            {ImGuiKey_Escape, keys::kEscape},
+                                            {ImGuiKey_A, 'A'},
+                                            {ImGuiKey_C, 'C'},
+                                            {ImGuiKey_V, 'V'},
+                                            {ImGuiKey_X, 'X'},
+                                            {ImGuiKey_Y, 'Y'},
+                                            {ImGuiKey_Z, 'Z'}};
   for (const auto& [key, code] : pairs) io.KeyMap[key] = code;
 }
 

@@ -35,11 +35,16 @@ void outliner(Ui& ui, Gallery& g) {
     g.scene_open = !g.scene_open;
   }
   if (g.scene_open) {
-    list_row(ui, "Right arm", {.icon = Icon::dot, .icon_tone = Tone::problem, .badge = "2 problems",
-                               .selected = true, .indent = 1, .hint = "Click: choose this limb"});
+    list_row(ui, "Right arm",
+             {.icon = Icon::dot,
+              .icon_tone = Tone::problem,
+              .badge = "2 problems",
+              .selected = true,
+              .indent = 1,
+              .hint = "Click: choose this limb"});
     for (const char* limb : {"Left arm", "Right leg", "Left leg"}) {
-      list_row(ui, limb, {.icon = Icon::dot, .icon_tone = Tone::good, .right = "clear",
-                          .indent = 1});
+      list_row(ui, limb,
+               {.icon = Icon::dot, .icon_tone = Tone::good, .right = "clear", .indent = 1});
     }
   }
   if (list_row(ui, "Objects", {.right = "3", .expanded = g.objects_open}).toggled) {
@@ -47,24 +52,28 @@ void outliner(Ui& ui, Gallery& g) {
   }
   if (g.objects_open) {
     list_row(ui, "Umbrella", {.right = "held, right hand", .indent = 1});
-    list_row(ui, "Post A", {.right = "static",
-                            .actions = {{Icon::eye, "Hide"}}, .indent = 1});
-    list_row(ui, "Post B with a name that is too long for the panel", {.right = "static", .indent = 1});
+    list_row(ui, "Post A", {.right = "static", .actions = {{Icon::eye, "Hide"}}, .indent = 1});
+    list_row(ui, "Post B with a name that is too long for the panel",
+             {.right = "static", .indent = 1});
   }
   separator(ui);
   heading(ui, "Corrections");
-  list_row(ui, "Past post A", {.icon = Icon::ring, .icon_tone = Tone::good, .right = "1.20–2.05 s",
-                               .actions = {{Icon::mute, "Mute"}, {Icon::solo, "Solo"},
-                                           {Icon::trash, "Delete"}},
-                               .selected_tone = Tone::good, .selected = true});
-  list_row(ui, "Past post B", {.icon = Icon::ring, .right = "not planned",
-                               .actions = {{Icon::mute, "Mute", true}}});
+  list_row(ui, "Past post A",
+           {.icon = Icon::ring,
+            .icon_tone = Tone::good,
+            .right = "1.20–2.05 s",
+            .actions = {{Icon::mute, "Mute"}, {Icon::solo, "Solo"}, {Icon::trash, "Delete"}},
+            .selected_tone = Tone::good,
+            .selected = true});
+  list_row(ui, "Past post B",
+           {.icon = Icon::ring, .right = "not planned", .actions = {{Icon::mute, "Mute", true}}});
   list_row(ui, "Walk (clip, read-only)", {.icon = Icon::dotted_ring, .tone = Tone::faint});
   separator(ui);
   heading(ui, "Tasks");
-  list_row(ui, "Grab hat", {.icon = Icon::diamond, .icon_tone = Tone::selection, .right = "4.10 s"});
-  list_row(ui, "Drop on table", {.icon = Icon::diamond, .icon_tone = Tone::selection,
-                                 .right = "5.60 s"});
+  list_row(ui, "Grab hat",
+           {.icon = Icon::diamond, .icon_tone = Tone::selection, .right = "4.10 s"});
+  list_row(ui, "Drop on table",
+           {.icon = Icon::diamond, .icon_tone = Tone::selection, .right = "5.60 s"});
 }
 
 void inspector(Ui& ui, Gallery& g) {
@@ -74,32 +83,38 @@ void inspector(Ui& ui, Gallery& g) {
   heading_combo(ui, "Sampling intervals", "Preset", g.preset,
                 {"Paper", "High arm", "Low arm", "Close to body"});
   const char* names[] = {"Shoulder, raise", "Shoulder, forward", "Shoulder, twist",
-                         "Elbow, flexion", "Forearm, twist", "Wrist, bend", "Wrist, sideways"};
+                         "Elbow, flexion",  "Forearm, twist",    "Wrist, bend",
+                         "Wrist, sideways"};
   for (std::size_t i = 0; i < g.ranges.size(); ++i) {
-    range_slider(ui, names[i], g.ranges[i],
-                 {.right = i == 3 ? "90 – 100 % first, then all" : ""});
+    range_slider(ui, names[i], g.ranges[i], {.right = i == 3 ? "90 – 100 % first, then all" : ""});
   }
   space(ui, 4);
-  button(ui, "Plan 1.20–2.05 s###plan", {.look = ButtonLook::primary, .shortcut = "P",
-                                          .hint = "Search for a way around"});
+  button(ui, "Plan 1.20–2.05 s###plan",
+         {.look = ButtonLook::primary, .shortcut = "P", .hint = "Search for a way around"});
   ImGui::SameLine();
-  toggle_button(ui, "Live", g.live, {.icon = Icon::target});
+  toggle_button(ui, "Live", g.live);
   ImGui::SameLine();
-  button(ui, "Seed 7###seed", {.icon = Icon::refresh});
+  button(ui, "7###seed", {.icon = Icon::refresh});
   progress(ui, "Planning", 0.34, {.right = "4 s left"});
   heading(ui, "Alternatives", "4 found · 11 ms");
   const float width = card_width(ui, 2);
-  card(ui, "Over the post", {{"clearance", "3.1 cm"}, {"from clip", "21°"},
-                             {"peak speed", "3.4 rad/s"}, {"certified", "", Tone::good, true}},
+  card(ui, "Over the post",
+       {{"clearance", "3.1 cm"},
+        {"from clip", "21°"},
+        {"peak speed", "3.4 rad/s"},
+        {"certified", "", Tone::good, true}},
        {.selected = true, .width = width});
   ImGui::SameLine();
-  card(ui, "Close to body", {{"clearance", "1.2 cm"}, {"from clip", "34°"},
-                             {"peak speed", "4.0 rad/s"}, {"certified", "", Tone::good, true}},
+  card(ui, "Close to body",
+       {{"clearance", "1.2 cm"},
+        {"from clip", "34°"},
+        {"peak speed", "4.0 rad/s"},
+        {"certified", "", Tone::good, true}},
        {.width = width});
   if (section(ui, "More", g.more, "6")) {
     text_input(ui, "Name", g.name);
-    number_input(ui, "Clearance", g.clearance, {.unit = "cm", .minimum = 0, .maximum = 1,
-                                                .decimals = 1, .shown_per_value = 100});
+    number_input(ui, "Clearance", g.clearance,
+                 {.unit = "cm", .minimum = 0, .maximum = 1, .decimals = 1, .shown_per_value = 100});
     number_input(ui, "Seed", g.seed, {.decimals = 0, .enabled = false});
     combo(ui, "Interpolation", g.language, {"Spherical", "Linear", "Curve"});
     toggle(ui, "Keep the elbow out", g.loop);
@@ -157,9 +172,9 @@ void icons(Ui& ui) {
 
 Gallery make_gallery() {
   Gallery g;
-  g.ranges = {range(-20, 170, 85, 140, 100),  range(-60, 120, 20, 95, 45),
-              range(-90, 90, -40, 40, -5),    range(0, 150, 126, 149, 96),
-              range(-80, 80, -60, 60, -28),   range(-60, 60, -20, 20, 0),
+  g.ranges = {range(-20, 170, 85, 140, 100), range(-60, 120, 20, 95, 45),
+              range(-90, 90, -40, 40, -5),   range(0, 150, 126, 149, 96),
+              range(-80, 80, -60, 60, -28),  range(-60, 60, -20, 20, 0),
               range(-25, 30, -10, 10, -3)};
   TimelineModel& t = g.timeline;
   t.end = 6.1;
@@ -188,7 +203,8 @@ void draw_gallery(Ui& ui, Gallery& g) {
   const float menu = ui.px(34), status = ui.px(26), seam = ui.px(4);
   const float body = size.y - menu - status;
   const float x0 = std::max(ui.px(200), std::floor(size.x * static_cast<float>(g.left_ratio)));
-  const float x1 = std::min(size.x - ui.px(300), std::floor(size.x * static_cast<float>(g.right_ratio)));
+  const float x1 =
+      std::min(size.x - ui.px(300), std::floor(size.x * static_cast<float>(g.right_ratio)));
   const float y1 = std::floor(menu + body * static_cast<float>(g.timeline_ratio));
   {
     Panel panel(ui, "Menu", {{0, 0}, {size.x, menu}}, {.scrolls = false});
@@ -212,7 +228,8 @@ void draw_gallery(Ui& ui, Gallery& g) {
     label(ui, "Full strength 111.11 cm", "right 3.1 cm");
     label(ui, "Full strength 888.88 cm", "right 4.0 cm", Tone::quiet);
     label(ui, "Faint: read-only, off", "", Tone::faint);
-    for (const Tone tone : {Tone::accent, Tone::problem, Tone::good, Tone::selection, Tone::ghost}) {
+    for (const Tone tone :
+         {Tone::accent, Tone::problem, Tone::good, Tone::selection, Tone::ghost}) {
       inline_text(ui, "Tone", tone);
       ImGui::SameLine();
     }
@@ -243,9 +260,12 @@ void draw_gallery(Ui& ui, Gallery& g) {
   splitter_between_columns(ui, "left split", x0, menu, y1, g.left_ratio, size.x);
   splitter_between_columns(ui, "right split", x1, menu, y1, g.right_ratio, size.x);
   splitter_between_rows(ui, "time split", y1 + seam / 2, 0, size.x, g.timeline_ratio, body);
-  ask(ui, g.asking, {"Save changes to two-posts.elbow?",
-                     "Two corrections and a task are not saved yet.",
-                     {"Save", "Discard", "Cancel"}, -1, 1});
+  ask(ui, g.asking,
+      {"Save changes to two-posts.elbow?",
+       "Two corrections and a task are not saved yet.",
+       {"Save", "Discard", "Cancel"},
+       -1,
+       1});
 }
 
 }  // namespace elbowroom

@@ -14,7 +14,8 @@ struct Gallery {
   TimelineView view;
   int tab = 0, preset = 1, language = 0;
   bool scene_open = true, objects_open = true, live = true, loop = false, more = true;
-  double clearance = 0.02, seed = 7, left_ratio = 0.156, right_ratio = 0.787, timeline_ratio = 0.705;
+  double clearance = 0.02, seed = 7, left_ratio = 0.156, right_ratio = 0.787,
+         timeline_ratio = 0.705;
   std::string name = "Past post A";
   bool asking = false;
   std::vector<TimelineEvent> events;  // of the last frame with some

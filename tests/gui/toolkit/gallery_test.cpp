@@ -46,6 +46,33 @@ TEST_P(GalleryAt, DrawsInManyColours) {
   }
 }
 
+TEST(GalleryDialogs, AreDrawnOverTheRest) {
+  UiDriver driver(1024, 700);
+  Gallery gallery = make_gallery();
+  FileDialog dialog;
+  dialog.recent = {"/usr/share", "/usr/share/fonts"};
+  open_dialog(dialog, "/usr");
+  driver.show([&](Ui& ui) {
+    draw_gallery(ui, gallery);
+    file_dialog(ui, dialog, {.title = "Open", .extensions = {".glb", ".elbow"}});
+  });
+  driver.move_to("Open/Open");
+  driver.frame(4);
+  const auto files = snapshot(driver);
+  if (!files) GTEST_SKIP() << files.error().message();
+  driver.key(keys::kEscape);
+  gallery.asking = true;
+  driver.frame(4);
+  const auto question = snapshot(driver);
+  ASSERT_TRUE(question.ok());
+  EXPECT_NE(files->rgb, question->rgb);
+  gallery.asking = false;
+  if (const char* folder = std::getenv("ELBOWROOM_GALLERY")) {
+    EXPECT_TRUE(write_png(*files, std::filesystem::path(folder) / "files.png").ok());
+    EXPECT_TRUE(write_png(*question, std::filesystem::path(folder) / "question.png").ok());
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Sizes, GalleryAt,
                          testing::Values(Size{1600, 1000, 1, true}, Size{1024, 700, 1, true},
                                          Size{1600, 1000, 2, true}, Size{1600, 1000, 1, false}));
