@@ -355,6 +355,32 @@ TEST_F(SceneRendererTest, PresentsTheVeryBytesThatItReads) {
   EXPECT_EQ(difference(picture, draw(world, 1, three_quarter(world, 1), {}, 64, 48)), 0.0);
 }
 
+TEST_F(SceneRendererTest, TrailsHaveTheColourOfEachPoint) {
+  Frame frame;
+  Trail trail;
+  for (int i = 0; i <= 8; ++i) {
+    trail.points.emplace_back(-0.8 + 0.2 * i, 0.6, 0);
+    trail.colours.push_back(i < 4 ? 0x3ecf9au : 0xff7a45u);  // clear, then colliding
+  }
+  trail.width = 6;
+  frame.trails = {trail};
+  Camera camera;
+  camera.focus = Vec3(0, 0.6, 0);
+  Style style;
+  style.ground = false;
+  for (const bool draft : {false, true}) {
+    style.draft = draft;
+    style.samples = draft ? 1 : 4;
+    const Picture picture = draw(frame, camera, style);
+    const auto at = [&](double x) {
+      const Vec3 p = project(camera, 160.0 / 120.0, Vec3(x, 0.6, 0));
+      return picture.pixel(static_cast<int>(p.x * 160), static_cast<int>(p.y * 120));
+    };
+    EXPECT_EQ(at(-0.5), 0x3ecf9au);
+    EXPECT_EQ(at(0.5), 0xff7a45u);
+  }
+}
+
 // What is kept from one picture to the next never shows: a renderer that has drawn other pictures
 // before draws the same as a fresh one.
 TEST_F(SceneRendererTest, KeptFiguresAndShadowsAreThoseOfTheFrame) {
