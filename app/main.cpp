@@ -9,7 +9,9 @@
 #include <thread>
 
 #include "app/commands.h"
+#include "app/editor/window.h"
 #include "app/exit_codes.h"
+#include "app/terminal.h"
 
 namespace {
 
@@ -38,6 +40,18 @@ class Interruption {
   sigset_t signals_;
   std::stop_source source_;
 };
+
+int run_window(const std::vector<std::string>& files, const std::string& frame_log) {
+  WindowOptions window;
+  for (const auto& file : files) window.files.emplace_back(file);
+  window.frame_log = frame_log;
+  const Status shown = run_editor(window);
+  if (!shown) {
+    print_error(shown.error());
+    return kExitUsage;
+  }
+  return kExitDone;
+}
 
 }  // namespace
 
@@ -108,6 +122,15 @@ int main(int argc, char** argv) {
                    "a second row with another clip of the character, by name or index")
       ->type_name("NAME");
 
+  std::vector<std::string> files;
+  std::string frame_log;
+  program.add_option("FILES", files, "for the editor: a project, or a character and objects");
+  program
+      .add_option("--frame-log", frame_log,
+                  "of the editor: a file that gets a line for each frame drawn")
+      ->type_name("LOG")
+      ->group("");
+
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -116,11 +139,12 @@ int main(int argc, char** argv) {
   }
   if (info_command->parsed()) return run_info(info);
   if (render_command->parsed()) return run_render(render);
+  const bool editor = program.get_subcommands().empty();
+  if (editor) return run_window(files, frame_log);
   const Interruption interruption;
   if (check_command->parsed()) return run_check(check, interruption.token());
   if (correct_command->parsed()) return run_correct(correct, interruption.token());
   if (reach_command->parsed()) return run_reach(reach, interruption.token());
   if (solve_command->parsed()) return run_solve(solve, interruption.token());
-  std::fputs(program.help().c_str(), stdout);
   return kExitUsage;
 }

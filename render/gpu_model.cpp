@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 namespace elbowroom {
 namespace {
@@ -43,6 +44,11 @@ struct ActiveMorph {
 struct MeshMorphs {
   std::uint32_t begin, end;
 };
+
+bool same(const std::vector<PaletteEntry>& a, const std::vector<PaletteEntry>& b) {
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(PaletteEntry)) == 0);
+}
 
 Bounds box_of(const RenderGeometry& geometry, const RenderMesh& mesh,
               const std::vector<PaletteEntry>& palette, const Vec3& origin) {
@@ -102,7 +108,6 @@ GpuFigure::GpuFigure() : array_(make_vertex_array()) {
 void GpuFigure::deform(const GlProgram& skinning, const GpuModel& model, const ActorState& state,
                        const Vec3& origin, const std::vector<float>& emphasis) {
   const RenderGeometry& geometry = model.geometry();
-  origin_ = origin;
   winding_ = make_palette(model.model(), geometry, state.world_from_joint, origin, emphasis,
                           palette_entries_);
   bounds_.clear();
@@ -126,6 +131,21 @@ void GpuFigure::deform(const GlProgram& skinning, const GpuModel& model, const A
     }
     ranges.push_back({begin, static_cast<std::uint32_t>(active.size())});
   }
+  morphs_.clear();
+  for (const auto& range : ranges) morphs_.insert(morphs_.end(), {range.begin, range.end});
+  for (const auto& morph : active) {
+    morphs_.insert(morphs_.end(), {morph.block, std::bit_cast<std::uint32_t>(morph.weight)});
+  }
+  const auto identity = model.identity();
+  const bool same_model = !model_.owner_before(identity) && !identity.owner_before(model_);
+  const bool unchanged = version_ > 0 && same_model && origin_ == origin &&
+                         morphs_ == last_morphs_ && same(palette_entries_, last_palette_);
+  if (unchanged) return;
+  ++version_;
+  model_ = identity;
+  origin_ = origin;
+  last_morphs_ = morphs_;
+  last_palette_ = palette_entries_;
   palette_.write(palette_entries_.data(), palette_entries_.size() * sizeof(PaletteEntry));
   active_morphs_.write(active.data(), active.size() * sizeof(ActiveMorph));
   mesh_morphs_.write(ranges.data(), ranges.size() * sizeof(MeshMorphs));

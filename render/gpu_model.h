@@ -24,11 +24,13 @@ class GpuModel {
   explicit GpuModel(std::shared_ptr<const Model> model);
 
   const Model& model() const { return *model_; }
+  std::weak_ptr<const Model> identity() const { return model_; }
   // Nobody but this holds the model any more.
   bool unused() const { return model_.use_count() == 1; }
   const RenderGeometry& geometry() const { return geometry_; }
   // Texture of the material's base colour, a white one if it has none.
   unsigned texture(int material) const;
+  bool has_texture(int material) const { return texture(material) != white_.name(); }
 
   unsigned vertices() const { return vertices_.name(); }
   unsigned bindings() const { return bindings_.name(); }
@@ -44,14 +46,18 @@ class GpuModel {
   GlTexture white_;
 };
 
-// What is made anew each frame: the deformed vertices of one model in one state.
+// The deformed vertices of one model in one state.
 class GpuFigure {
  public:
   GpuFigure();
 
-  // Deforms `model` into this figure's buffer. `emphasis` is by node, [0, 1], or empty.
+  // Deforms `model` into this figure's buffer, unless it is there already. `emphasis` is by node,
+  // [0, 1], or empty.
   void deform(const GlProgram& skinning, const GpuModel& model, const ActorState& state,
               const Vec3& origin, const std::vector<float>& emphasis);
+
+  // Another one after each deform() that changed something.
+  std::uint64_t version() const { return version_; }
 
   // Binds the vertex array and draws one mesh; the program is the caller's.
   void bind() const;
@@ -69,7 +75,10 @@ class GpuFigure {
   StreamBuffer deformed_, palette_, active_morphs_, mesh_morphs_;
   GlVertexArray array_;
   Vec3 origin_{0.0};
-  std::vector<PaletteEntry> palette_entries_;
+  std::weak_ptr<const Model> model_;
+  std::uint64_t version_ = 0;
+  std::vector<PaletteEntry> palette_entries_, last_palette_;
+  std::vector<std::uint32_t> morphs_, last_morphs_;  // bits of what is uploaded, for comparison
   std::vector<int> winding_;
   std::vector<Bounds> bounds_;
 };

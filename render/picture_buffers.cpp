@@ -52,11 +52,12 @@ Status PictureBuffers::resize(int new_width, int new_height, int new_samples, in
     half_width = (width + 1) / 2;
     half_height = (height + 1) / 2;
 
-    colour = make_renderbuffer(GL_SRGB8_ALPHA8, width, height, samples);
-    depth = make_renderbuffer(GL_DEPTH_COMPONENT32F, width, height, samples);
+    // Asked for one sample a driver may give four.
+    const int asked = samples > 1 ? samples : 0;
+    colour =
+        make_renderbuffer(GL_SRGB8_ALPHA8, asked > 0 ? width : 1, asked > 0 ? height : 1, asked);
+    depth = make_renderbuffer(GL_DEPTH_COMPONENT32F, width, height, asked);
     picture = make_framebuffer();
-    glNamedFramebufferRenderbuffer(picture.name(), GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                                   colour.name());
     glNamedFramebufferRenderbuffer(picture.name(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
                                    depth.name());
     resolved = make_texture(GL_SRGB8_ALPHA8, width, height);
@@ -68,6 +69,12 @@ Status PictureBuffers::resize(int new_width, int new_height, int new_samples, in
     glTextureParameteri(view, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTextureParameteri(view, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     resolved_target = make_target(resolved);
+    if (asked > 0) {
+      glNamedFramebufferRenderbuffer(picture.name(), GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                                     colour.name());
+    } else {
+      glNamedFramebufferTexture(picture.name(), GL_COLOR_ATTACHMENT0, resolved.name(), 0);
+    }
     bytes_source = make_target(resolved_bytes);
 
     geometry = make_texture(GL_RGBA32F, half_width, half_height);

@@ -17,7 +17,7 @@ class PictureBuffers {
   int half_width = 0, half_height = 0;
 
   GlRenderbuffer colour, depth;
-  GlFramebuffer picture;     // multisampled, SRGB8_ALPHA8
+  GlFramebuffer picture;     // multisampled, SRGB8_ALPHA8; of one sample it draws into resolved
   GlTexture resolved;        // SRGB8_ALPHA8
   GlTexture resolved_bytes;  // the same memory as RGBA8: the sRGB bytes as they are
   GlFramebuffer resolved_target, bytes_source;

@@ -72,10 +72,10 @@ GlSampler make_sampler(GLenum filter, GLenum wrap, float anisotropy) {
 
 struct SceneRenderer::Data {
   GlProgram skinning, surface, shadow, geometry, ground_geometry, occlusion, blur, backdrop, ground,
-      ghost, ghost_depth, pick;
+      ghost, ghost_depth, pick, draft_surface, draft_ground;
   std::optional<Overlay> overlay;
   PictureBuffers buffers;
-  GlSampler base_sampler, compare_sampler, depth_sampler;
+  GlSampler base_sampler, plain_sampler, compare_sampler, depth_sampler;
   GlVertexArray empty;
   StreamBuffer uniforms, glow;
   std::vector<std::unique_ptr<GpuModel>> models;
@@ -88,6 +88,17 @@ struct SceneRenderer::Data {
   std::vector<int> glow_begin;  // by actor: its first byte in the glow buffer, −1: none
   ViewSetup view;
   bool drawn = false;
+
+  // What the shadow map shows; empty: nothing.
+  struct Cast {
+    std::size_t actor;
+    int mesh;
+    std::uint64_t version;
+    bool operator==(const Cast&) const = default;
+  };
+  std::vector<Cast> casts;
+  Mat4 cast_matrix{0.0};
+  unsigned cast_map = 0;
 
   GpuModel* model(const std::shared_ptr<const Model>& wanted);
   void drop_unused_models();
@@ -188,6 +199,18 @@ void SceneRenderer::Data::set_frame(const Frame& frame, const Camera& camera, co
 }
 
 void SceneRenderer::Data::draw_shadow() {
+  std::vector<Cast> wanted;
+  for (const auto& item : items) {
+    wanted.push_back({item.actor, item.mesh, figures[item.actor].version()});
+  }
+  // The light stands still while the camera turns, so the map often does, too.
+  if (cast_map == buffers.shadow.name() && cast_matrix == view.light_clip_from_world &&
+      casts == wanted) {
+    return;
+  }
+  casts = std::move(wanted);
+  cast_matrix = view.light_clip_from_world;
+  cast_map = buffers.shadow.name();
   glBindFramebuffer(GL_FRAMEBUFFER, buffers.shadow_target.name());
   glViewport(0, 0, buffers.shadow_size, buffers.shadow_size);
   glClear(GL_DEPTH_BUFFER_BIT);
@@ -204,7 +227,7 @@ void SceneRenderer::Data::draw_shadow() {
 }
 
 void SceneRenderer::Data::draw_occlusion(const Style& style) {
-  if (style.occlusion <= 0) return;
+  if (style.occlusion <= 0 || style.draft) return;
   glBindFramebuffer(GL_FRAMEBUFFER, buffers.geometry_target.name());
   glViewport(0, 0, buffers.half_width, buffers.half_height);
   const float nothing[4] = {0, 0, 0, 0};
@@ -244,11 +267,10 @@ void SceneRenderer::Data::bind_maps() const {
   glBindSampler(kShadowDepth, depth_sampler.name());
   glBindTextureUnit(kOcclusion, buffers.blurred.name());
   glBindTextureUnit(kGeometry, buffers.geometry.name());
-  glBindSampler(kBase, base_sampler.name());
 }
 
 void SceneRenderer::Data::draw_surfaces(const Frame& frame, const Style& style) {
-  glUseProgram(surface.name());
+  glUseProgram(style.draft ? draft_surface.name() : surface.name());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kGlowBinding, glow.name());
   for (const auto& item : items) {
     const GpuModel& gpu = *actor_models[item.actor];
@@ -282,6 +304,9 @@ void SceneRenderer::Data::draw_surfaces(const Frame& frame, const Style& style) 
     const int begin = glow_begin[item.actor];
     glUniform1i(4, begin < 0 ? -1 : begin + static_cast<int>(range.first_triangle));
     glBindTextureUnit(kBase, gpu.texture(mesh.material));
+    // A filter of many taps is dear where there is no GPU, and the white texture needs none.
+    const bool fine = !style.draft && gpu.has_texture(mesh.material);
+    glBindSampler(kBase, fine ? base_sampler.name() : plain_sampler.name());
     set_winding(material, figures[item.actor].winding(item.mesh), style.cull_back_faces);
     figures[item.actor].bind();
     figures[item.actor].draw(gpu, item.mesh);
@@ -357,6 +382,7 @@ Result<SceneRenderer> SceneRenderer::create() {
     GlProgram* program;
     const char* vertex;
     const char* fragment;
+    const char* prelude = "";
   };
   const Wanted wanted[] = {
       {&data->surface, "surface.vert.glsl", "surface.frag.glsl"},
@@ -370,9 +396,12 @@ Result<SceneRenderer> SceneRenderer::create() {
       {&data->ghost, "surface.vert.glsl", "ghost.frag.glsl"},
       {&data->ghost_depth, "surface.vert.glsl", "ghost_depth.frag.glsl"},
       {&data->pick, "depth.vert.glsl", "pick.frag.glsl"},
+      {&data->draft_surface, "draft_surface.vert.glsl", "draft_surface.frag.glsl",
+       "#define DRAFT\n"},
+      {&data->draft_ground, "ground.vert.glsl", "ground.frag.glsl", "#define DRAFT\n"},
   };
-  for (const auto& [program, vertex, fragment] : wanted) {
-    auto made = make_program(vertex, fragment);
+  for (const auto& [program, vertex, fragment, prelude] : wanted) {
+    auto made = make_program(vertex, fragment, prelude);
     if (!made) return made.error();
     *program = std::move(*made);
   }
@@ -380,6 +409,7 @@ Result<SceneRenderer> SceneRenderer::create() {
   if (!overlay) return overlay.error();
   data->overlay.emplace(std::move(*overlay));
   data->base_sampler = make_sampler(GL_LINEAR, GL_REPEAT, 8);
+  data->plain_sampler = make_sampler(GL_LINEAR, GL_REPEAT, 1);
   data->depth_sampler = make_sampler(GL_NEAREST, GL_CLAMP_TO_EDGE, 1);
   data->compare_sampler = make_sampler(GL_LINEAR, GL_CLAMP_TO_EDGE, 1);
   glSamplerParameteri(data->compare_sampler.name(), GL_TEXTURE_COMPARE_MODE,
@@ -432,26 +462,29 @@ Status SceneRenderer::draw(const Frame& frame, const Camera& camera, const Style
   glEnable(GL_FRAMEBUFFER_SRGB);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   d.bind_maps();
+  d.draw_surfaces(frame, style);
+  // At the far plane: only where there is nothing yet.
   glDepthMask(GL_FALSE);
   glBindVertexArray(d.empty.name());
   glUseProgram(d.backdrop.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDepthMask(GL_TRUE);
-  d.draw_surfaces(frame, style);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   if (style.ground) {
     glDepthMask(GL_FALSE);
     glBindVertexArray(d.empty.name());
-    glUseProgram(d.ground.name());
+    glUseProgram(style.draft ? d.draft_ground.name() : d.ground.name());
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     glDepthMask(GL_TRUE);
   }
   d.draw_ghosts(frame);
   d.overlay->draw(frame, style, d.view.camera.focus);
 
-  glBlitNamedFramebuffer(d.buffers.picture.name(), d.buffers.resolved_target.name(), 0, 0, width,
-                         height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  if (d.buffers.samples > 1) {
+    glBlitNamedFramebuffer(d.buffers.picture.name(), d.buffers.resolved_target.name(), 0, 0, width,
+                           height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
   glDisable(GL_FRAMEBUFFER_SRGB);
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);

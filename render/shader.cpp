@@ -38,8 +38,8 @@ void append_source(const std::string& name, std::vector<std::string>& included, 
 
 const char* kRemedy = "update the graphics driver (OpenGL 4.5 is needed) or report this as a bug";
 
-Result<unsigned> compile(GLenum stage, const std::string& name) {
-  std::string text = "#version 450 core\n";
+Result<unsigned> compile(GLenum stage, const std::string& name, const std::string& prelude = "") {
+  std::string text = "#version 450 core\n" + prelude;
   std::vector<std::string> included;
   append_source(name, included, text);
   const GLuint shader = glCreateShader(stage);
@@ -73,10 +73,11 @@ Result<GlProgram> link(const std::vector<unsigned>& shaders, const std::string& 
 
 }  // namespace
 
-Result<GlProgram> make_program(const std::string& vertex, const std::string& fragment) {
-  auto first = compile(GL_VERTEX_SHADER, vertex);
+Result<GlProgram> make_program(const std::string& vertex, const std::string& fragment,
+                               const std::string& prelude) {
+  auto first = compile(GL_VERTEX_SHADER, vertex, prelude);
   if (!first) return first.error();
-  auto second = compile(GL_FRAGMENT_SHADER, fragment);
+  auto second = compile(GL_FRAGMENT_SHADER, fragment, prelude);
   if (!second) {
     glDeleteShader(*first);
     return second.error();

@@ -19,8 +19,10 @@ struct EmbeddedShader {
 const std::vector<EmbeddedShader>& embedded_shaders();
 
 // Links a program of a vertex and a fragment shader. `#include "name.glsl"` on a line of its own
-// pulls in another embedded file, once each. Error: the compiler's log, with the file's name.
-Result<GlProgram> make_program(const std::string& vertex, const std::string& fragment);
+// pulls in another embedded file, once each. `prelude` goes before both (a #define). Error: the
+// compiler's log, with the file's name.
+Result<GlProgram> make_program(const std::string& vertex, const std::string& fragment,
+                               const std::string& prelude = "");
 Result<GlProgram> make_compute_program(const std::string& compute);
 
 }  // namespace elbowroom

@@ -60,6 +60,8 @@ struct Style {
 
   int shadow_map_size = 2048;  // texels, a side
   int samples = 4;             // a pixel; capped by what the driver has
+  bool draft = false;  // hard shadows, no occlusion, plain textures: for pictures that move where
+                       // there is no GPU (render/quality.h)
 };
 
 }  // namespace elbowroom

@@ -28,8 +28,6 @@ layout(std140, binding = 0) uniform Frame {
   vec4 contacts[64];       // place, radius
 } frame;
 
-const float kGoldenAngle = 2.39996323;
-
 // A fixed pattern that differs between neighbours and averages out over a few pixels
 // (interleaved gradient noise, Jimenez 2014).
 float pattern(vec2 pixel) {

@@ -29,9 +29,14 @@ void main() {
   float line = frame.grid_colour.w * fade * max(0.42 * minor, major);
 
   float shade = 0.0;
-  if (frame.ground.w > 0.5 && fade > 0.0) {
+  if (frame.ground.w > 0.5 && fade * above > 0.0) {
+#ifdef DRAFT
+    float key = 1.0 - key_visibility(position, frame.key_direction.y);
+    float contact = 0.0;
+#else
     float key = 1.0 - key_visibility(position, normal, gl_FragCoord.xy);
     float contact = 1.0 - ambient_visibility(position);
+#endif
     shade = 1.0 - (1.0 - 0.62 * key) * (1.0 - 0.85 * contact);
   }
   float dark = shade * frame.ground_shadow.w * fade * above;

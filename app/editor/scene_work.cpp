@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "core/editing/plan_window.h"
+#if __has_include("core/editing/reach.h")
 #include "core/editing/reach.h"
+#endif
 
 namespace elbowroom {
 namespace {
@@ -50,6 +52,7 @@ PlanOutcome SceneWork::plan(std::shared_ptr<const Clip> clip, int limb, const Ta
   WindowReport report;
   std::optional<Correction> correction;
   if (task.kind == TaskKind::reach) {
+#if __has_include("core/editing/reach.h")
     auto reached = reach(*scene_, limb, task, stop, progress);
     if (!reached) {
       outcome.error = reached.error();
@@ -57,6 +60,7 @@ PlanOutcome SceneWork::plan(std::shared_ptr<const Clip> clip, int limb, const Ta
     }
     if (!reached->windows.empty()) report = reached->windows.front();
     if (!reached->corrections.empty()) correction = std::move(reached->corrections.front());
+#endif
   } else {
     auto planned = plan_window(*scene_, clip, limb, task.window->lower, task.window->upper,
                                task.wishes, stop, progress);

@@ -48,7 +48,10 @@ enum class TaskKind {
   correct,  // around what the limb collides with [SKF07 6.1]
   reach,    // to a target and back, around what is in the way [SKF07 6.2]
 };
-const char* task_kind_id(TaskKind kind);  // as in the project file
+// As in the project file.
+inline const char* task_kind_id(TaskKind kind) {
+  return kind == TaskKind::reach ? "reach" : "correct";
+}
 
 struct Task {
   TaskKind kind = TaskKind::correct;

@@ -13,6 +13,7 @@ class Dialogs {
   void draw(const PanelContext& context);
 
  private:
+  void open_files(const PanelContext& context);
   void files(const PanelContext& context);
   void shortcuts(const PanelContext& context);
   void unsaved(const PanelContext& context);

@@ -233,7 +233,7 @@ void transport(const PanelContext& context, const Rect& rect) {
   speed.width = 76;
   speed.hint = "How fast the clip plays";
   place(ui.px(speed.width));
-  if (combo(ui, "Speed", chosen, speeds, speed)) context.emit(command::SetSpeed{kSpeeds[chosen]});
+  if (combo(ui, "##Speed", chosen, speeds, speed)) context.emit(command::SetSpeed{kSpeeds[chosen]});
   const auto& clips = state.session->scene.model().clips;
   if (clips.size() > 1) {
     std::vector<std::string> names;
@@ -244,7 +244,7 @@ void transport(const PanelContext& context, const Rect& rect) {
     options.width = wide > ui.px(1100) ? 190 : 120;
     options.hint = "Which clip of the file is played and corrected";
     place(ui.px(options.width));
-    if (combo(ui, "Clip", clip, names, options))
+    if (combo(ui, "##Clip", clip, names, options))
       context.emit(command::ChooseClip{std::to_string(clip)});
   }
   ButtonOptions next;

@@ -215,8 +215,10 @@ bool tabs(Ui& ui, std::string_view name, const std::vector<std::string>& labels,
   for (int i = 0; i < count; ++i) {
     const std::string& label = labels[static_cast<std::size_t>(i)];
     const std::string_view shown = shown_part(label);
-    const float text = std::ceil(size_of(font, shown).x);
-    const Pressed pressed = press(label, {text + 2 * pad, height}, true);
+    const float share = std::floor(room / static_cast<float>(count)) - 2 * pad;
+    float text = std::ceil(size_of(font, shown).x);
+    if (total + 2 * pad * static_cast<float>(count) > room) text = std::min(text, share);
+    const Pressed pressed = press(label, {std::max(text + 2 * pad, 1.0f), height}, true);
     focused |= ImGui::IsItemFocused();
     if (pressed.clicked) chosen = i;
     const bool is_chosen = i == chosen;
@@ -227,7 +229,7 @@ bool tabs(Ui& ui, std::string_view name, const std::vector<std::string>& labels,
                          {pressed.max.x - pad, pressed.max.y}, p.accent);
     }
     draw_text(list, font, {pressed.min.x + pad, middle(pressed.min.y, height, font)},
-              is_chosen || pressed.hovered ? p.text : p.quiet, shown);
+              is_chosen || pressed.hovered ? p.text : p.quiet, shown, text + 0.5f);
     focus_ring(ui, pressed.min, pressed.max, 2);
     ui.record(WidgetKind::tab, label, pressed.min, pressed.max, {}, true, is_chosen);
     if (i + 1 < count) ImGui::SameLine(0, 0);

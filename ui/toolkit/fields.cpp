@@ -213,8 +213,19 @@ TextEdit text_input(Ui& ui, std::string_view label, std::string& text, const Tex
   if (options.focus) ImGui::SetKeyboardFocusHere();
   const std::string before = text;
   const std::string placeholder(options.placeholder);
-  edit.entered = ImGui::InputTextWithHint("##text", placeholder.c_str(), &text,
-                                          ImGuiInputTextFlags_EnterReturnsTrue);
+  ImGuiInputTextFlags flags = ImGuiInputTextFlags_EnterReturnsTrue;
+  if (options.complete) flags |= ImGuiInputTextFlags_CallbackCompletion;
+  const auto complete = [](ImGuiInputTextCallbackData* data) {
+    const auto& completion = static_cast<const TextOptions*>(data->UserData)->complete;
+    const std::string whole = completion(std::string(data->Buf, static_cast<std::size_t>(data->BufTextLen)));
+    data->DeleteChars(0, data->BufTextLen);
+    data->InsertChars(0, whole.data(), whole.data() + whole.size());
+    return 0;
+  };
+  edit.entered = ImGui::InputTextWithHint(
+      "##text", placeholder.c_str(), &text, flags,
+      options.complete ? static_cast<ImGuiInputTextCallback>(complete) : nullptr,
+      const_cast<TextOptions*>(&options));
   edit.began = ImGui::IsItemActivated();
   edit.changed = text != before;
   // Escape reverts the text by itself, and then there is nothing to commit.
@@ -308,6 +319,25 @@ bool combo(Ui& ui, std::string_view label, int& chosen, const std::vector<std::s
   }
   ImGui::PopStyleVar(2);
   return changed;
+}
+
+bool heading_combo(Ui& ui, std::string_view text, std::string_view name, int& chosen,
+                   const std::vector<std::string>& entries, std::string_view hint) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = std::floor(ImGui::GetContentRegionAvail().x);
+  const bool inside = chosen >= 0 && chosen < static_cast<int>(entries.size());
+  const std::string_view preview =
+      inside ? std::string_view(entries[static_cast<std::size_t>(chosen)]) : "–";
+  const float choice = std::min(std::ceil(size_of(ui.fonts().small_medium, preview).x) + ui.px(28),
+                                width);
+  const float height = ui.px(ui.theme().metrics.row);
+  ImFont* font = ui.fonts().small_medium;
+  if (width - choice > ui.px(40)) {
+    draw_text(*ImGui::GetWindowDrawList(), font, {at.x, middle(at.y, height, font)},
+              ui.palette().quiet, shown_part(text), width - choice - ui.px(4));
+  }
+  ui.record(WidgetKind::label, text, at, {at.x + width - choice, at.y + height});
+  return combo(ui, name, chosen, entries, {.quiet = true, .hint = hint});
 }
 
 }  // namespace elbowroom

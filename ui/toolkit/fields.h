@@ -2,6 +2,7 @@
 // Things that are filled in: numbers with units, text, a choice from a list.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,6 +36,8 @@ struct TextOptions {
   bool focus = false;  // takes the keyboard in this frame
   float width = 0;     // pixels at 100 %; 0: the panel's rest
   bool label_shown = true;
+  // Tab replaces the text by what this makes of it.
+  std::function<std::string(const std::string&)> complete = {};
 };
 struct TextEdit : Edit {
   bool entered = false;  // Enter was pressed
@@ -51,6 +54,11 @@ struct ComboOptions {
 // True when `chosen` changed. A `chosen` outside shows "–".
 bool combo(Ui& ui, std::string_view label, int& chosen, const std::vector<std::string>& entries,
            const ComboOptions& options = {});
+
+// A heading with a quiet choice at its right edge: "Sampling intervals      High arm". The choice is
+// named `name`.
+bool heading_combo(Ui& ui, std::string_view heading, std::string_view name, int& chosen,
+                   const std::vector<std::string>& entries, std::string_view hint = {});
 
 // The number in a text that people typed: "85", "85,5°", "−3 cm", " 1e-3 ". nullopt: none, or not
 // finite.

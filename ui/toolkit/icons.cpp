@@ -116,8 +116,8 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 col
     case Icon::undo: return turn(pen, true);
     case Icon::redo: return turn(pen, false);
     case Icon::refresh:
-      pen.arc({0, 0}, 5.2f, -kPi * 0.25f, kPi * 1.45f);
-      return pen.fill({{0.2f, -8}, {0.2f, -2.4f}, {4.6f, -5.2f}});
+      pen.arc({0, 0.5f}, 5.2f, -kPi * 0.06f, kPi * 1.42f);
+      return pen.fill({{-0.8f, -8}, {-0.8f, -1.6f}, {4.4f, -4.8f}});
     case Icon::camera:
       pen.box({-7, -4}, {7, 5.5f}, 1.5f);
       pen.line({{-3, -4}, {-2, -6}, {2, -6}, {3, -4}});
@@ -167,8 +167,9 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 col
       pen.line({{-5, -2}, {-7, 0}, {-5, 2}});
       return pen.line({{5, -2}, {7, 0}, {5, 2}});
     case Icon::rotate:
-      pen.arc({0, 0}, 5.5f, kPi * 0.1f, kPi * 1.6f);
-      return pen.fill({{1.2f, -8}, {1.2f, -2.6f}, {5.6f, -5.3f}});
+      pen.arc({0, 0}, 6, kPi * 0.15f, kPi * 1.5f);
+      pen.disc({0, 0}, 1.5f);
+      return pen.fill({{-0.2f, -9}, {-0.2f, -3}, {4.8f, -6}});
     case Icon::target:
       pen.ring({0, 0}, 4.5f);
       pen.line({{-7.5f, 0}, {-2, 0}});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ui/toolkit/lists.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 
 #include "ui/toolkit/geometry.h"
@@ -12,11 +14,23 @@ namespace {
 // The panel's strip at the cursor, from edge to edge (the scroll bar excepted).
 Rect strip(float height) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float pad = ImGui::GetStyle().WindowPadding.x;
-  const float left = std::max(at.x - pad, list.GetClipRectMin().x);
-  return {{left, at.y}, {std::floor(at.x + ImGui::GetContentRegionAvail().x + pad), at.y + height}};
+  const ImRect inner = ImGui::GetCurrentWindow()->InnerRect;
+  return {{inner.Min.x, at.y}, {inner.Max.x, at.y + height}};
 }
+
+// Dear ImGui cuts drawings off at half the panel's padding; a strip goes to the very edge.
+class EdgeToEdge {
+ public:
+  explicit EdgeToEdge(ImDrawList& list) : list_(list) {
+    const ImRect inner = ImGui::GetCurrentWindow()->InnerRect;
+    const ImVec2 from = list.GetClipRectMin(), to = list.GetClipRectMax();
+    list.PushClipRect({inner.Min.x, from.y}, {inner.Max.x, to.y});
+  }
+  ~EdgeToEdge() { list_.PopClipRect(); }
+
+ private:
+  ImDrawList& list_;
+};
 
 // Draws the pill with its right edge at `right`; returns its width.
 float badge(const Ui& ui, ImDrawList& list, float right, float top, float height,
@@ -54,6 +68,7 @@ RowResult list_row(Ui& ui, std::string_view label, const RowOptions& options) {
 
   const Palette& p = ui.palette();
   ImDrawList& list = *ImGui::GetWindowDrawList();
+  const EdgeToEdge edges(list);
   ImU32 ground = p.panel;
   if (options.selected) ground = mixed(p.panel, ui.colour(options.selected_tone), 0.19f);
   if (result.hovered && options.enabled) ground = mixed(ground, p.text, 0.05f);
@@ -89,7 +104,9 @@ RowResult list_row(Ui& ui, std::string_view label, const RowOptions& options) {
   for (std::size_t i = options.actions.size(); i-- > 0;) {
     const RowAction& action = options.actions[i];
     const bool shown_now = result.hovered || options.selected || action.on || focused;
-    const Rect spot{{right - ui.px(22) + ui.px(4), row.min.y}, {right + ui.px(4), row.max.y}};
+    const float from = row.max.x - pad + ui.px(4) -
+                       ui.px(22) * static_cast<float>(options.actions.size() - i);
+    const Rect spot{{from, row.min.y}, {from + ui.px(22), row.max.y}};
     const bool over = result.hovered && spot.contains(mouse);
     if (shown_now) {
       draw_icon(list, action.icon, {(spot.min.x + spot.max.x) / 2, centre}, ui.px(14),
@@ -108,17 +125,21 @@ RowResult list_row(Ui& ui, std::string_view label, const RowOptions& options) {
               std::string(action.name) + "###" + std::string(name_part(label)) + "." + action.name,
               spot.min, spot.max, action.on ? "on" : "", action.enabled && options.enabled,
               action.on);
-    right -= ui.px(22);
+    // Hidden actions leave their place to the text.
+    if (shown_now) right = std::min(right, spot.min.x - ui.px(4));
   }
-  if (!options.actions.empty()) right -= ui.px(4);
 
   ImFont* font = ui.fonts().regular;
-  if (!options.badge.empty()) {
+  // The name comes first: what stands at the right gives way to it, and goes where only a stump of
+  // it would be left. A badge is worth cutting the name to half the row.
+  const float room = right - left - ui.px(8);
+  const float rest = room - std::ceil(size_of(font, shown).x);
+  const float badge_width = std::ceil(size_of(ui.fonts().small, options.badge).x) + 2 * ui.px(7);
+  if (!options.badge.empty() && badge_width <= std::max(rest, room / 2)) {
     right -= badge(ui, list, right, row.min.y, height, options.badge, options.badge_tone) +
              ui.px(8);
-  } else if (!options.right.empty()) {
-    const float width = std::min(std::ceil(size_of(ui.fonts().small, options.right).x),
-                                 std::max(0.0f, (right - left) * 0.6f));
+  } else if (!options.right.empty() && options.badge.empty() && rest > ui.px(28)) {
+    const float width = std::min(std::ceil(size_of(ui.fonts().small, options.right).x), rest);
     draw_text(list, ui.fonts().small,
               {right - width, middle(row.min.y, height, ui.fonts().small)},
               ui.colour(options.right_tone), options.right, width);
@@ -155,6 +176,7 @@ bool section(Ui& ui, std::string_view label, bool& open, std::string_view right)
   ImGui::PopID();
   const Palette& p = ui.palette();
   ImDrawList& list = *ImGui::GetWindowDrawList();
+  const EdgeToEdge edges(list);
   ImFont* font = ui.fonts().small_medium;
   if (hovered) ui.hint(open ? "Click: fold" : "Click: unfold");
   draw_icon(list, open ? Icon::chevron_down : Icon::chevron_right,
@@ -205,7 +227,7 @@ CardResult card(Ui& ui, std::string_view title, const std::vector<CardRow>& rows
                      : focused        ? p.accent
                      : result.hovered ? mixed(p.line, p.text, 0.2f)
                                       : p.line;
-  list.AddRect(at, end, edge, rounding, 0, options.selected ? std::max(1.5f, ui.px(1.5f)) : 1.0f);
+  list.AddRect(at, end, edge, rounding, 0, options.selected ? 1.5f * ui.scale() : 1.0f);
   float y = at.y + ui.px(8);
   draw_text(list, head, {at.x + pad, y}, options.enabled ? p.text : p.faint, shown_part(title),
             width - 2 * pad);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ui/toolkit/text.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -23,19 +25,27 @@ void line(Ui& ui, std::string_view text, std::string_view right, const LineLook&
   const float width = std::max(1.0f, std::floor(ImGui::GetContentRegionAvail().x));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const std::string_view shown = shown_part(text);
-  const float right_width = right.empty() ? 0 : std::min(size_of(look.right_font, right).x, width);
-  const float room = std::max(1.0f, width - right_width - (right.empty() ? 0 : ui.px(8)));
+  // The text on the left comes first; where it leaves only a stump of the right one, that goes.
+  const float gap = ui.px(8), rest = width - std::ceil(size_of(look.font, shown).x) - gap;
+  float right_width = right.empty() ? 0 : std::min(size_of(look.right_font, right).x, rest);
+  if (right_width < ui.px(24) && right_width < size_of(look.right_font, right).x) right_width = 0;
+  const float room = std::max(1.0f, width - (right_width > 0 ? right_width + gap : 0));
   draw_text(list, look.font, {at.x, middle(at.y, look.height, look.font)}, look.colour, shown,
             room);
-  if (!right.empty()) {
+  if (right_width > 0) {
     draw_text(list, look.right_font,
               {at.x + width - right_width, middle(at.y, look.height, look.right_font)},
-              look.right_colour, right, width);
+              look.right_colour, right, right_width + 0.5f);
   }
   ImGui::Dummy({width, look.height});
   const bool cut = size_of(look.font, shown).x > room;
   if (cut && ImGui::IsItemHovered()) explain(ui, {}, shown);
   ui.record(WidgetKind::label, text, at, {at.x + width, at.y + look.height}, std::string(right));
+}
+
+// Takes the usual gap back, so that what follows stands directly below.
+void close_up() {
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
 }
 
 }  // namespace
@@ -50,6 +60,7 @@ void heading(Ui& ui, std::string_view text, std::string_view right) {
   line(ui, text, right,
        {ui.fonts().small_medium, ui.fonts().small, ui.palette().quiet, ui.palette().faint,
         ui.px(ui.theme().metrics.row)});
+  close_up();
 }
 
 void title(Ui& ui, std::string_view text, std::string_view right) {
@@ -86,15 +97,17 @@ void inline_text(Ui& ui, std::string_view text, Tone tone) {
 void separator(Ui& ui) {
   space(ui, 5);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float from = ImGui::GetWindowPos().x, to = from + ImGui::GetWindowWidth();
-  ImGui::GetWindowDrawList()->AddRectFilled({from, at.y}, {to, at.y + ui.px(1)},
-                                            ui.palette().line);
+  // Dear ImGui cuts drawings off at half the panel's padding; this goes to the edges.
+  const ImRect inner = ImGui::GetCurrentWindow()->InnerRect;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect({inner.Min.x, list.GetClipRectMin().y}, {inner.Max.x, list.GetClipRectMax().y});
+  list.AddRectFilled({inner.Min.x, at.y}, {inner.Max.x, at.y + ui.px(1)}, ui.palette().line);
+  list.PopClipRect();
   ImGui::Dummy({1, ui.px(1)});
   space(ui, 1);
 }
 
 void space(Ui& ui, float pixels) {
-  // Dummy adds the usual spacing by itself, so that much is taken off.
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ui.px(pixels));
 }
 

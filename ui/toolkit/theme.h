@@ -39,8 +39,8 @@ struct Palette {
 };
 
 struct Metrics {
-  float text = 17;   // a line of text; Inter's em is 1/1.21 of it
-  float small = 15;  // second lines, axis labels
+  float text = 16;   // a line of text; Inter's em is 1/1.21 of it
+  float small = 14;  // second lines, axis labels
   float row = 27;    // list rows, headings
   float control = 32;
   float padding = 12;  // of a panel, left and right

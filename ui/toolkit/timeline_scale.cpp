@@ -79,8 +79,10 @@ std::vector<Tick> ticks_of(const TimeScale& scale, double begin, double frame_ra
     Tick tick{origin + value * second, i % parts == 0, {}};
     if (tick.major) {
       char text[64];
-      std::snprintf(text, sizeof text, "%.*f", std::clamp(-step.exponent, 0, 6),
-                    value == 0 ? 0.0 : value);
+      // Zero needs no decimals.
+      if (value == 0) std::snprintf(text, sizeof text, "0");
+      else std::snprintf(text, sizeof text, "%.*f", std::clamp(-step.exponent, 0, 6),
+                    value);
       tick.label = text;
       if (i == 0 && !frames) tick.label += " s";
       if (i == 0 && frames) tick.label += " f";
