@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/options.h"
+#include "app/plan_command.h"
 
 namespace elbowroom {
 
@@ -23,19 +24,15 @@ struct CheckOptions {
 };
 int run_check(const CheckOptions& options, std::stop_token stop);
 
-struct CorrectOptions {
-  SceneOptions scene;
-  std::string limb = "auto";
-  std::string window = "auto";
-  std::uint64_t seed = 1;
-  int alternatives = 1;
-  double clearance = 0;
-  std::vector<std::string> sampling;  // "DOF=LOWER:UPPER" in degrees
-  std::string out;
-  std::string report;
-  std::string save_project;
-};
+using CorrectOptions = PlanOptions;
 int run_correct(const CorrectOptions& options, std::stop_token stop);
+
+struct ReachOptions {
+  PlanOptions plan;
+  std::string target;  // "X,Y,Z[,QX,QY,QZ,QW]"
+  double at = 0;       // seconds
+};
+int run_reach(const ReachOptions& options, std::stop_token stop);
 
 struct SolveOptions {
   std::string project;

@@ -80,37 +80,18 @@ int main(int argc, char** argv) {
   CorrectOptions correct;
   CLI::App* correct_command =
       program.add_subcommand("correct", "plan limbs around what they collide with");
-  add_scene_options(*correct_command, correct.scene);
-  correct_command->add_option("--limb", correct.limb, "which limb (default auto)")
-      ->type_name("LIMB");
-  correct_command->add_option("--window", correct.window, "what to replan (default auto)")
-      ->type_name("A:B|auto");
-  correct_command->add_option("--seed", correct.seed, "of the random planner (default 1)")
-      ->type_name("N");
-  correct_command
-      ->add_option("--alternatives", correct.alternatives,
-                   "ways to plan, of which the best is taken (default 1)")
-      ->type_name("K")
-      ->check(CLI::Range(1, 64));
-  correct_command
-      ->add_option("--clearance", correct.clearance,
-                   "distance to keep, scene units (default 5 mm for a height of 1.75 m)")
-      ->type_name("D")
-      ->check(CLI::NonNegativeNumber);
-  correct_command
-      ->add_option("--sample", correct.sampling,
-                   "a DOF's sampling interval in degrees, \"Elbow, flexion=20:120\"; may be given "
-                   "more than once")
-      ->type_name("DOF=A:B")
-      ->allow_extra_args(false);
-  correct_command->add_option("-o,--out", correct.out, "the corrected file")
-      ->type_name("OUT.glb")
+  add_plan_options(*correct_command, correct, "which limb (default auto)");
+
+  ReachOptions reach;
+  CLI::App* reach_command =
+      program.add_subcommand("reach", "lead a wrist or ankle to a target and back to the clip");
+  add_plan_options(*reach_command, reach.plan, "which limb; has to be named");
+  reach_command
+      ->add_option("--target", reach.target,
+                   "where the wrist (ankle) joint shall be, in the world, and its rotation there")
+      ->type_name("X,Y,Z[,QX,QY,QZ,QW]")
       ->required();
-  correct_command->add_option("--report", correct.report, "write a report")->type_name("R.json");
-  correct_command
-      ->add_option("--save-project", correct.save_project,
-                   "write the scene, the task and its corrections as a project")
-      ->type_name("P.elbow");
+  reach_command->add_option("--at", reach.at, "when, seconds")->type_name("T")->required();
 
   SolveOptions solve;
   CLI::App* solve_command = program.add_subcommand("solve", "all tasks of a project, in order");
@@ -170,6 +151,7 @@ int main(int argc, char** argv) {
   const Interruption interruption;
   if (check_command->parsed()) return run_check(check, interruption.token());
   if (correct_command->parsed()) return run_correct(correct, interruption.token());
+  if (reach_command->parsed()) return run_reach(reach, interruption.token());
   if (solve_command->parsed()) return run_solve(solve, interruption.token());
   return kExitUsage;
 }

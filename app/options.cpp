@@ -84,6 +84,27 @@ Result<AttachedFile> parse_attachment(const std::string& text) {
   return attached;
 }
 
+Result<HandTarget> parse_target(const std::string& text) {
+  const std::string form = "the form is X,Y,Z[,QX,QY,QZ,QW]";
+  std::vector<double> value;
+  for (const auto& part : split(text, ',')) {
+    const auto number = parse_number(part);
+    if (!number) return Error{"\"" + part + "\" is no number", "--target", form};
+    value.push_back(*number);
+  }
+  if (value.size() != 3 && value.size() != 7)
+    return Error{std::to_string(value.size()) + " numbers in \"" + text + "\"", "--target", form};
+  HandTarget target;
+  target.position = {value[0], value[1], value[2]};
+  if (value.size() == 7) {
+    const Quat rotation(value[6], value[3], value[4], value[5]);
+    if (glm::length(rotation) < 1e-6)
+      return Error{"the rotation in \"" + text + "\" is zero", "--target", form};
+    target.orientation = glm::normalize(rotation);
+  }
+  return target;
+}
+
 Result<std::optional<Interval>> parse_window(const std::string& text) {
   if (text == "auto") return std::optional<Interval>();
   const auto parts = split(text, ':');

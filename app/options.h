@@ -32,6 +32,8 @@ Result<Document> document_from(const SceneOptions& options);
 
 // O.glb@JOINT[,X,Y,Z[,QX,QY,QZ,QW]]
 Result<AttachedFile> parse_attachment(const std::string& text);
+// X,Y,Z[,QX,QY,QZ,QW], world; the time is left at 0.
+Result<HandTarget> parse_target(const std::string& text);
 // A:B in seconds, or "auto" (none).
 Result<std::optional<Interval>> parse_window(const std::string& text);
 // T1,T2,... in seconds.

@@ -3,7 +3,7 @@
 #include "app/delivery.h"
 #include "app/exit_codes.h"
 #include "app/terminal.h"
-#include "core/editing/correct.h"
+#include "core/editing/solve_task.h"
 #include "core/io/project_file.h"
 
 namespace elbowroom {
@@ -25,9 +25,7 @@ int run_solve(const SolveOptions& options, std::stop_token stop) {
   CorrectionOutcome whole;
   whole.clip = session->clip();
   for (const auto& task : document->tasks) {
-    const auto limbs = limbs_named(*session, task.limb);
-    if (!limbs) return refuse(limbs.error(), options.report);
-    auto outcome = correct(*scene, *limbs, task, stop, progress);  // on the last one's clip
+    auto outcome = solve_task(*scene, *session, task, stop, progress);  // on the last one's clip
     if (!outcome) return refuse(outcome.error(), options.report);
     for (const auto& contact : outcome->before) whole.before.push_back(contact);
     whole.after = outcome->after;

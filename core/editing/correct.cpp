@@ -15,26 +15,6 @@ bool involves(const ContactInterval& contact, const std::vector<int>& limbs) {
   return std::find(limbs.begin(), limbs.end(), contact.deepest.limb) != limbs.end();
 }
 
-Status check_wishes(const SceneCollision& scene, const std::vector<int>& limbs,
-                    const PlanningWishes& wishes) {
-  for (const auto& [name, interval] : wishes.sampling) {
-    std::string known;
-    bool found = false;
-    for (const int limb : limbs)
-      for (const Dof& dof : scene.limbs()[static_cast<std::size_t>(limb)].space.dofs) {
-        found = found || dof.name == name;
-        if (known.find(dof.name) == std::string::npos)
-          known += (known.empty() ? "" : "; ") + dof.name;
-      }
-    if (!found)
-      return Error{"there is no DOF \"" + name + "\" to sample", "", "the limb's DOFs: " + known};
-    if (!(interval.lower <= interval.upper))
-      return Error{"the sampling interval of \"" + name + "\" is empty or not a number", "",
-                   "give the lower bound first, in radians"};
-  }
-  return Done{};
-}
-
 }  // namespace
 
 bool CorrectionOutcome::all_corrected() const {

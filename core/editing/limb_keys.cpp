@@ -21,14 +21,18 @@ std::array<Quat, 3> residual_between(const LimbState& at_init, const LimbState& 
 std::vector<JointKeys> make_limb_keys(const Skeleton& skeleton, const LimbModel& limb,
                                       const std::function<Dofs(double)>& q,
                                       const LimbState& at_init, const LimbState& at_goal,
-                                      double begin, double end, double rate) {
+                                      const std::vector<double>& stops, double rate) {
   std::vector<float> times;
-  const auto intervals = static_cast<int>(std::ceil(std::max(1.0, (end - begin) * rate - 1e-9)));
-  for (int i = 0; i <= intervals; ++i) {
-    const double t = i == intervals ? end : begin + (end - begin) * i / intervals;
-    const auto time = static_cast<float>(t);
-    if (times.empty() || time > times.back()) times.push_back(time);
+  for (std::size_t part = 0; part + 1 < stops.size(); ++part) {
+    const double begin = stops[part], end = stops[part + 1];
+    const auto intervals = static_cast<int>(std::ceil(std::max(1.0, (end - begin) * rate - 1e-9)));
+    for (int i = 0; i <= intervals; ++i) {
+      const double t = i == intervals ? end : begin + (end - begin) * i / intervals;
+      const auto time = static_cast<float>(t);
+      if (times.empty() || time > times.back()) times.push_back(time);
+    }
   }
+  const double begin = stops.front(), end = stops.back();
   auto rotation_at = [&](const JointModel& joint, std::size_t index, double t) {
     const double u = std::clamp((t - begin) / (end - begin), 0.0, 1.0);
     const Dofs values = q(t);

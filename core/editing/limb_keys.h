@@ -14,12 +14,12 @@ namespace elbowroom {
 // "Residual").
 std::array<Quat, 3> residual_between(const LimbState& at_init, const LimbState& at_goal, double u);
 
-// Keys at `rate` Hz or a little denser, evenly over [begin, end], both ends included; times are
-// strictly increasing float32. `q` gives the parameters at a time. Derivatives (for cubic
-// channels) are central differences of the same function.
+// Keys at each of `stops` (ascending, the window's ends first and last), and evenly between them at
+// `rate` Hz or a little denser; times are strictly increasing float32. `q` gives the parameters at
+// a time. Derivatives (for cubic channels) are central differences of the same function.
 std::vector<JointKeys> make_limb_keys(const Skeleton& skeleton, const LimbModel& limb,
                                       const std::function<Dofs(double)>& q,
                                       const LimbState& at_init, const LimbState& at_goal,
-                                      double begin, double end, double rate);
+                                      const std::vector<double>& stops, double rate);
 
 }  // namespace elbowroom

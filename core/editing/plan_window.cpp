@@ -20,8 +20,8 @@ namespace {
 
 constexpr double kVerifyRate = 240;  // Hz (DESIGN.md, "Results must meet")
 constexpr int kRandomTimes = 1000;
+constexpr std::uint64_t kPartSeed = 15485863;
 constexpr double kLeastKeyRate = 60;     // Hz
-constexpr double kSpeedReserve = 1.05;   // over the clip's own peak speed, where that is the limit
 constexpr int kSeedsWithAPath = 2;       // for an attempt whose first path did not hold
 constexpr double kClearanceReach = 0.1;  // × height: farther obstacles are not measured
 
@@ -39,18 +39,16 @@ struct Attempt {
   double near_share = 0;  // of samples near the clip's own motion
 };
 
-// What one window has in common for all attempts.
-struct Problem {
-  SceneCollision* scene = nullptr;
-  std::shared_ptr<const Clip> clip;
-  int limb_index = 0;
-  const LimbModel* limb = nullptr;
-  double begin = 0, end = 0;
-  LimbState at_init, at_goal;
-  Dofs velocity_init, velocity_goal;
-  DofSpace space;
-  double length_unit = 1;
-  const LimbTrack* track = nullptr;
+// The curves between a window's postures; one where there are none between.
+struct Motion {
+  std::vector<Curve> curves;
+  std::vector<double> until;  // end of each, seconds
+
+  const Curve& at(double t) const {
+    std::size_t i = 0;
+    while (i + 1 < curves.size() && t > until[i]) ++i;
+    return curves[i];
+  }
 };
 
 // One verified candidate.
@@ -68,42 +66,8 @@ std::string at_time(double t) {
   return text;
 }
 
-double limb_length(const Problem& p) {
-  std::vector<ActorState> states;
-  world_state_at(p.scene->world(), p.begin, states);
-  const auto& globals = states[static_cast<std::size_t>(p.scene->actor())].world_from_joint;
-  double length = 0;
-  for (std::size_t j = 1; j < p.limb->joints.size(); ++j) {
-    const auto a = globals[static_cast<std::size_t>(p.limb->joints[j - 1].joint)][3];
-    const auto b = globals[static_cast<std::size_t>(p.limb->joints[j].joint)][3];
-    length += glm::length(Vec3(b) - Vec3(a));
-  }
-  return length > 0 ? length : 0.3 * p.scene->height();
-}
-
-// Limits and speed limits that the clip itself exceeds are widened for this query.
-void widen_limits(Problem& p, WindowReport& report) {
-  std::vector<bool> widened(static_cast<std::size_t>(p.space.count()), false);
-  const int samples = std::max(2, static_cast<int>((p.end - p.begin) * 120));
-  for (int i = 0; i <= samples; ++i) {
-    const Dofs q = p.track->at(p.begin + (p.end - p.begin) * i / samples).q;
-    for (const int d : p.space.widen_to(q)) widened[static_cast<std::size_t>(d)] = true;
-  }
-  for (const Dofs* q : {&p.at_init.q, &p.at_goal.q})
-    for (const int d : p.space.widen_to(*q)) widened[static_cast<std::size_t>(d)] = true;
-  for (int d = 0; d < p.space.count(); ++d) {
-    Dof& dof = p.space.dofs[static_cast<std::size_t>(d)];
-    const double own = std::max(
-        {p.track->peak_speed()[d], std::abs(p.velocity_init[d]), std::abs(p.velocity_goal[d])});
-    const bool too_fast = own * kSpeedReserve > dof.speed_limit;
-    if (too_fast) dof.speed_limit = own * kSpeedReserve;
-    if (widened[static_cast<std::size_t>(d)]) report.limits_widened.push_back(dof.name);
-    if (too_fast) report.limits_widened.push_back(dof.name + " (speed)");
-  }
-}
-
 // The first contact over the verification times, or an empty string. Lowers min_clearance.
-std::string verify(Problem& p, const std::shared_ptr<const Clip>& clip,
+std::string verify(WindowProblem& p, const std::shared_ptr<const Clip>& clip,
                    const std::vector<float>& keys, std::uint64_t seed, const std::stop_token& stop,
                    double& min_clearance) {
   SceneCollision& scene = *p.scene;
@@ -140,11 +104,12 @@ std::string verify(Problem& p, const std::shared_ptr<const Clip>& clip,
 
 // How much an animator has to like it: mean squared distance from the clip's parameters (rad²), the
 // acceleration beyond the clip's own, and nearness to what it avoids.
-double motion_cost(const Problem& p, const Curve& curve, double min_clearance) {
+double motion_cost(const WindowProblem& p, const Motion& motion, double min_clearance) {
   double deviation = 0, acceleration = 0;
   const int samples = 120;
   for (int i = 0; i <= samples; ++i) {
     const double t = p.begin + (p.end - p.begin) * i / samples;
+    const Curve& curve = motion.at(t);
     const Dofs q = curve.value(t), a = curve.second(t), r = p.track->at(t).q;
     for (int d = 0; d < q.count; ++d) {
       deviation += (q[d] - r[d]) * (q[d] - r[d]);
@@ -156,14 +121,15 @@ double motion_cost(const Problem& p, const Curve& curve, double min_clearance) {
   return deviation / samples + 1e-5 * acceleration / samples + near;
 }
 
-void measure_motion(const Problem& p, const Curve& curve, WindowReport& report) {
+void measure_motion(const WindowProblem& p, const Motion& motion, WindowReport& report) {
   const int samples = std::max(8, static_cast<int>((p.end - p.begin) * kVerifyRate));
   for (int i = 0; i <= samples; ++i) {
     const double u = static_cast<double>(i) / samples;
     const double t = p.begin + (p.end - p.begin) * u;
+    const Curve& curve = motion.at(t);
     const Dofs q = curve.value(t), v = curve.derivative(t), a = curve.second(t);
     const LimbState clip = p.track->at(t);
-    const auto residual = residual_between(p.at_init, p.at_goal, u);
+    const auto residual = residual_between(p.postures.front().state, p.postures.back().state, u);
     for (int d = 0; d < q.count; ++d) {
       report.peak_speed = std::max(report.peak_speed, std::abs(v[d]));
       report.peak_acceleration = std::max(report.peak_acceleration, std::abs(a[d]));
@@ -179,29 +145,27 @@ void measure_motion(const Problem& p, const Curve& curve, WindowReport& report) 
   }
 }
 
-// One attempt with one seed. Returns true with a verified candidate; otherwise report.reason and
-// blocked_by say why not.
-bool plan_and_verify(Problem& p, const Attempt& attempt, const PlanningWishes& wishes,
-                     std::uint64_t seed, const std::stop_token& stop, const ProgressSink& progress,
-                     Candidate& candidate) {
-  WindowReport& report = candidate.report;
-  report.seed = seed;
-  p.scene->set_clip(p.clip);
-
+// A path and its curve from one posture to the next; nothing, with report.reason and blocked_by, if
+// there is none.
+std::optional<Curve> plan_part(WindowProblem& p, const PostureAt& from, const PostureAt& to,
+                               const Attempt& attempt, const PlanningWishes& wishes,
+                               std::uint64_t seed, const std::stop_token& stop,
+                               const ProgressSink& progress, WindowReport& report, bool& path_found,
+                               int& landmarks) {
   std::unique_ptr<LimbPlanningSpace> rigid;
   std::unique_ptr<SkinPlanningSpace> skin;
   StateSpace* world = nullptr;
   if (attempt.on_skin) {
-    skin = std::make_unique<SkinPlanningSpace>(*p.scene, p.limb_index, p.begin, p.end, p.at_init,
-                                               p.at_goal, attempt.clearance);
+    skin = std::make_unique<SkinPlanningSpace>(*p.scene, p.limb_index, from.time, to.time,
+                                               from.state, to.state, attempt.clearance);
     world = skin.get();
   } else {
     LimbPlanningSpace::Settings settings;
     settings.clearance = attempt.clearance;
     settings.margin = attempt.margin;
     settings.body_clearance = attempt.body_clearance;
-    rigid = std::make_unique<LimbPlanningSpace>(*p.scene, p.limb_index, p.begin, p.end, p.at_init,
-                                                p.at_goal, settings);
+    rigid = std::make_unique<LimbPlanningSpace>(*p.scene, p.limb_index, from.time, to.time,
+                                                from.state, to.state, settings);
     world = rigid.get();
   }
   auto blocked = [&] {
@@ -217,8 +181,8 @@ bool plan_and_verify(Problem& p, const Attempt& attempt, const PlanningWishes& w
   if (wishes.max_seconds > 0) planner.max_seconds = wishes.max_seconds;
   PlannerQuery query;
   query.space = &p.space;
-  query.init = {p.at_init.q, p.begin};
-  query.goal = {p.at_goal.q, p.end};
+  query.init = {from.state.q, from.time};
+  query.goal = {to.state.q, to.time};
   query.length_unit = p.length_unit;
   query.reference = [&p](double t) { return p.track->at(t).q; };
   planner.sampling.near_share = attempt.near_share;
@@ -232,10 +196,10 @@ bool plan_and_verify(Problem& p, const Attempt& attempt, const PlanningWishes& w
     if (planned.status == PlannerStatus::cancelled) report.status = CorrectionStatus::cancelled;
     report.reason = planned.reason;
     blocked();
-    return false;
+    return std::nullopt;
   }
 
-  candidate.planned = true;
+  path_found = true;
   const auto smooth_start = Clock::now();
   SmoothingSettings smoothing;
   smoothing.seed = seed;
@@ -243,8 +207,8 @@ bool plan_and_verify(Problem& p, const Attempt& attempt, const PlanningWishes& w
   CurveQuery curve_query;
   curve_query.space = &p.space;
   curve_query.path = smoothed.path;
-  curve_query.velocity_init = p.velocity_init;
-  curve_query.velocity_goal = p.velocity_goal;
+  curve_query.velocity_init = from.velocity;
+  curve_query.velocity_goal = to.velocity;
   curve_query.reference = [&p](double t) { return p.track->at(t).q; };
   CurveSettings curve_settings;
   curve_settings.seed = seed;
@@ -253,12 +217,35 @@ bool plan_and_verify(Problem& p, const Attempt& attempt, const PlanningWishes& w
   report.smooth_ms += ms_since(smooth_start);
   report.validity_checks += smoothed.checks.validity_checks + fitted.checks.validity_checks;
   report.edge_checks += smoothed.checks.edge_checks + fitted.checks.edge_checks;
-  report.landmarks = static_cast<int>(smoothed.path.size());
+  landmarks = static_cast<int>(smoothed.path.size());
   if (fitted.status != CurveStatus::solved) {
     if (stop.stop_requested()) report.status = CorrectionStatus::cancelled;
     report.reason = fitted.reason;
     blocked();
-    return false;
+    return std::nullopt;
+  }
+  return fitted.curve;
+}
+
+// One attempt with one seed. Returns true with a verified candidate; otherwise report.reason and
+// blocked_by say why not.
+bool plan_and_verify(WindowProblem& p, const Attempt& attempt, const PlanningWishes& wishes,
+                     std::uint64_t seed, const std::stop_token& stop, const ProgressSink& progress,
+                     Candidate& candidate) {
+  WindowReport& report = candidate.report;
+  report.seed = seed;
+  p.scene->set_clip(p.clip);
+  Motion motion;
+  int landmarks = 0;
+  for (std::size_t i = 0; i + 1 < p.postures.size(); ++i) {
+    int part_landmarks = 0;
+    const auto curve =
+        plan_part(p, p.postures[i], p.postures[i + 1], attempt, wishes, seed + kPartSeed * i, stop,
+                  progress, report, candidate.planned, part_landmarks);
+    if (part_landmarks > 0) report.landmarks = landmarks += part_landmarks;
+    if (!curve) return false;
+    motion.until.push_back(p.postures[i + 1].time);
+    motion.curves.push_back(*curve);
   }
 
   const auto verify_start = Clock::now();
@@ -270,9 +257,11 @@ bool plan_and_verify(Problem& p, const Attempt& attempt, const PlanningWishes& w
   correction.made_with.seed = seed;
   const auto& skeleton =
       p.scene->world().actors[static_cast<std::size_t>(p.scene->actor())].model->skeleton;
+  std::vector<double> times;
+  for (const PostureAt& posture : p.postures) times.push_back(posture.time);
   correction.joints = make_limb_keys(
-      skeleton, *p.limb, [&](double t) { return fitted.curve.value(t); }, p.at_init, p.at_goal,
-      p.begin, p.end, std::max(kLeastKeyRate, key_rate(*p.clip)));
+      skeleton, *p.limb, [&](double t) { return motion.at(t).value(t); }, p.postures.front().state,
+      p.postures.back().state, times, std::max(kLeastKeyRate, key_rate(*p.clip)));
   auto laid = lay_over(skeleton, *p.clip, {correction});
   if (!laid) {
     report.reason = laid.error().message();
@@ -293,13 +282,14 @@ bool plan_and_verify(Problem& p, const Attempt& attempt, const PlanningWishes& w
   report.status = CorrectionStatus::corrected;
   report.reason.clear();
   report.blocked_by.clear();
-  measure_motion(p, fitted.curve, report);
-  candidate.cost = motion_cost(p, fitted.curve, report.min_clearance);
+  measure_motion(p, motion, report);
+  candidate.cost = motion_cost(p, motion, report.min_clearance);
   return true;
 }
 
-bool try_once(Problem& p, const Attempt& attempt, const PlanningWishes& wishes, std::uint64_t seed,
-              const std::stop_token& stop, const ProgressSink& progress, Candidate& candidate) {
+bool try_once(WindowProblem& p, const Attempt& attempt, const PlanningWishes& wishes,
+              std::uint64_t seed, const std::stop_token& stop, const ProgressSink& progress,
+              Candidate& candidate) {
   const bool found = plan_and_verify(p, attempt, wishes, seed, stop, progress, candidate);
   char text[160];
   std::snprintf(text, sizeof text,
@@ -335,39 +325,23 @@ std::vector<double> verification_times(double begin, double end, const std::vect
 WindowPlan plan_window(SceneCollision& scene, const std::shared_ptr<const Clip>& clip, int limb,
                        double begin, double end, const PlanningWishes& wishes,
                        const std::stop_token& stop, const ProgressSink& progress) {
+  return plan_window(window_problem(scene, clip, limb, begin, end, wishes), wishes, stop, progress);
+}
+
+WindowPlan plan_window(WindowProblem p, const PlanningWishes& wishes, const std::stop_token& stop,
+                       const ProgressSink& progress) {
   const auto start = Clock::now();
+  SceneCollision& scene = *p.scene;
+  const std::shared_ptr<const Clip> clip = p.clip;
+  const int limb = p.limb_index;
+  const double begin = p.begin, end = p.end;
   WindowPlan result;
   WindowReport& report = result.report;
   report.limb = limb;
   report.begin = begin;
   report.end = end;
   report.seed = wishes.seed;
-
-  Problem p;
-  p.scene = &scene;
-  p.clip = clip;
-  p.limb_index = limb;
-  p.limb = &scene.limbs()[static_cast<std::size_t>(limb)];
-  p.begin = begin;
-  p.end = end;
-  const Model& model = *scene.world().actors[static_cast<std::size_t>(scene.actor())].model;
-  const LimbTrack track(model, *clip, *p.limb, begin, end);
-  p.track = &track;
-  p.at_init = track.at(begin);
-  p.at_goal = track.at(end);
-  // Where the clip begins or ends with the window there is no motion outside to meet: its own, seen
-  // from inside, is met instead.
-  p.velocity_init = track.rate(begin, begin <= clip->begin ? 1 : -1);
-  p.velocity_goal = track.rate(end, end >= clip->end ? -1 : 1);
-  p.space = p.limb->space;
-  for (Dof& dof : p.space.dofs) {
-    const auto wish = wishes.sampling.find(dof.name);
-    if (wish == wishes.sampling.end()) continue;
-    dof.sample_lower = std::clamp(wish->second.lower, dof.lower, dof.upper);
-    dof.sample_upper = std::clamp(wish->second.upper, dof.sample_lower, dof.upper);
-  }
-  widen_limits(p, report);
-  p.length_unit = limb_length(p);
+  report.limits_widened = p.limits_widened;
 
   const double touching = scene.settings().epsilon * scene.height();
   const double wanted =

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "core/editing/correct.h"
+#include "core/editing/window_problem.h"
 
 namespace elbowroom {
 
@@ -22,6 +23,12 @@ struct WindowPlan {
 // the clip.
 WindowPlan plan_window(SceneCollision& scene, const std::shared_ptr<const Clip>& clip, int limb,
                        double begin, double end, const PlanningWishes& wishes,
+                       const std::stop_token& stop, const ProgressSink& progress);
+
+// The same through the problem's postures: a path and a curve from each to the next, keys at each
+// of their times, one correction. Whether the postures between the ends are valid is the caller's
+// to know.
+WindowPlan plan_window(WindowProblem problem, const PlanningWishes& wishes,
                        const std::stop_token& stop, const ProgressSink& progress);
 
 // The times at which a motion over [begin, end] is looked at: 240 Hz, the keys given, 1,000 random

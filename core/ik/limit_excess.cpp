@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace elbowroom {
 namespace {
@@ -54,6 +55,16 @@ Dofs clamp_to_limits(const DofSpace& space, Dofs q) {
       for (const int i : {ellipse.first, ellipse.second}) {
         const Dof& dof = space.dofs[static_cast<std::size_t>(i)];
         q[i] = std::max(dof.lower, std::min(dof.upper, q[i] * shrink));
+      }
+      // Going to and fro is slow where a range almost leaves the ellipse: settle it along each.
+      if (round % 20 != 19) continue;
+      for (const auto& [still, half_still, moved, half_moved] :
+           {std::tuple(ellipse.first, ellipse.half_first, ellipse.second, ellipse.half_second),
+            std::tuple(ellipse.second, ellipse.half_second, ellipse.first, ellipse.half_first)}) {
+        const double left = 1 - std::pow(share(q[still], half_still), 2);
+        const double most = left > 0 ? half_moved * std::sqrt(left) * (1 - 1e-12) : 0.0;
+        const Dof& dof = space.dofs[static_cast<std::size_t>(moved)];
+        q[moved] = std::max(dof.lower, std::min(dof.upper, std::clamp(q[moved], -most, most)));
       }
     }
   }

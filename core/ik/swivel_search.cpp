@@ -15,8 +15,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr int kVariants = 4;       // of what a target leaves open, over its limits
 constexpr int kVariantCoarse = 4;  // their grid of swivels is coarser by this
-constexpr int kRefineSteps = 40;   // of bisection and of golden sections
-constexpr double kFlat = 1e-7;     // a bend's limit is exceeded alike at every swivel
+constexpr std::size_t kDescents = 8;
+constexpr int kDescentSteps = 120;
+constexpr int kRefineSteps = 40;  // of bisection and of golden sections
+constexpr double kFlat = 1e-7;    // a bend's limit is exceeded alike at every swivel
 constexpr int kMaxGreedySteps = 400;
 
 // Of the numbers that stand for one rotation those that keep the limits, if some do.
@@ -83,11 +85,18 @@ class Search {
     }
     if (greedy(start_, false)) return finish();
     if (settings_.resolution <= 0) return finish();
-    const std::vector<Dofs> all = variants();
+    std::vector<int> open;
+    const std::vector<Dofs> all = variants(open);
     for (std::size_t i = 0; i < all.size(); ++i) {
       const int coarse = i == 0 ? 1 : kVariantCoarse;
-      if (exhausted() || all_round(all[i], settings_.resolution / coarse)) break;
+      if (exhausted() || all_round(all[i], settings_.resolution / coarse)) return finish();
     }
+    // Between the variants: from those that exceed limits least.
+    if (open.empty() || rank_ != kExceeds) return finish();
+    std::stable_sort(lowest_.begin(), lowest_.end(),
+                     [](const Lowest& a, const Lowest& b) { return a.excess < b.excess; });
+    for (std::size_t i = 0; i < lowest_.size() && i < kDescents; ++i)
+      if (descend(lowest_[i], open)) break;
     return finish();
   }
 
@@ -227,9 +236,10 @@ class Search {
 
   // Starting postures for the exhaustive search: the first one; then what the target leaves open
   // over its limits.
-  std::vector<Dofs> variants() const {
+  std::vector<Dofs> variants(std::vector<int>& open) const {
     std::vector<Dofs> all = {start_};
     const auto vary = [&](int dof) {
+      open.push_back(dof);
       const Dof& limits = space_.dofs[static_cast<std::size_t>(dof)];
       if (!std::isfinite(limits.upper - limits.lower)) return;
       std::vector<double> values;
@@ -299,6 +309,41 @@ class Search {
     return kNotANumber;
   }
 
+  // The lowest excess of one round.
+  struct Lowest {
+    double excess = kInfinity, swivel = 0;
+    int sense = 0;
+    Dofs near;
+  };
+
+  // Lowers the excess over the swivel and what else is open, one number after the other, with
+  // steps that shrink; considers what keeps limits.
+  bool descend(Lowest at, const std::vector<int>& open) {
+    double step = 4 * kPi / 180;
+    for (int i = 0; i < kDescentSteps && at.excess > 0 && step > 1e-6; ++i) {
+      bool lower = false;
+      for (std::size_t k = 0; k <= open.size(); ++k) {
+        for (const double move : {step, -step}) {
+          Lowest next = at;
+          if (k == open.size()) {
+            next.swivel += move;
+          } else {
+            const Dof& limits = space_.dofs[static_cast<std::size_t>(open[k])];
+            next.near[open[k]] = std::clamp(next.near[open[k]] + move, limits.lower, limits.upper);
+          }
+          next.excess = excess_at(next.swivel, next.near, next.sense);
+          if (!(next.excess < at.excess)) continue;
+          at = next;
+          lower = true;
+          break;
+        }
+      }
+      step *= lower ? 1.2 : 0.4;
+    }
+    double unwrapped = 0;
+    return at.excess <= 0 && in_range(at.swivel, unwrapped) && consider(unwrapped, at.near);
+  }
+
   bool all_round(const Dofs& near, int resolution) {
     const int n = std::max(8, resolution);
     const double width = 2 * kPi / n;
@@ -310,6 +355,17 @@ class Search {
         excess[static_cast<std::size_t>(sense)][static_cast<std::size_t>(i)] =
             excess_at(at(i), near, sense);
     }
+    Lowest lowest;
+    lowest.near = near;
+    for (int i = 0; i < n; ++i)
+      for (int sense = 0; sense < 2; ++sense) {
+        const double value = excess[static_cast<std::size_t>(sense)][static_cast<std::size_t>(i)];
+        if (!(value < lowest.excess)) continue;
+        lowest.excess = value;
+        lowest.swivel = at(i);
+        lowest.sense = sense;
+      }
+    if (std::isfinite(lowest.excess)) lowest_.push_back(lowest);
     std::vector<double> swivels;
     const auto propose = [&](double swivel) {
       double unwrapped = 0;
@@ -420,6 +476,7 @@ class Search {
   Dofs start_;
   Rank rank_ = kNone;
   double excess_ = 0, offset_ = 0;
+  std::vector<Lowest> lowest_;
   Tried best_;
   Dofs best_near_;
 };

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Reaching a target and coming back [SKF07 6.2]: a posture at the target's time t_b by the swivel
+// search, valid on the deformed skin; a plan from the clip at t_a to that posture and one from it
+// back to the clip at t_c, which meet there with equal velocity: that of holding the target still
+// in the world, at the same swivel, while the body moves on.
+//
+// One correction over [t_a, t_c] comes of it, with a key at t_b exactly (its float32 value), found
+// and verified as every correction is (core/editing/correct.h). Residuals are those of the window
+// (DESIGN.md, "Residual"), at t_b too.
+//
+// Without a window in the task, t_a and t_c are 0.8 s before and after t_b, moved until the limb is
+// free at both ends and its speed limits leave time for the way, within the clip.
+#pragma once
+
+#include "core/editing/correct.h"
+#include "core/ik/swivel_search.h"
+
+namespace elbowroom {
+
+// Does a task of kind reach with limb `limb` (an index) on the clip that `scene` plays, which may
+// hold earlier corrections. The scene plays the outcome's clip afterwards. One window is reported;
+// where there is no posture its reason says why: out of reach by how much, at which DOF's limit, in
+// collision with what (blocked_by).
+// Errors: no clip; no target, or one that isn't finite; a time that isn't inside the clip and the
+// window; a limb the scene does not have; a sampling interval for a DOF that the limb has not.
+// Runs on the calling thread; stop tokens are answered within 50 ms or one contact query.
+Result<CorrectionOutcome> reach(SceneCollision& scene, int limb, const Task& task,
+                                std::stop_token stop = {}, const ProgressSink& progress = {});
+
+// The limb's inverse kinematics at time t of what the scene plays, with these residuals; for
+// editors that show the posture while a target is dragged. Errors: those of LimbIk::build.
+Result<LimbIk> limb_ik_at(const SceneCollision& scene, int limb, double t,
+                          const std::array<Quat, 3>& residual);
+
+// A posture for the target that keeps `clearance` on the deformed skin at time t. The scene poses
+// the limb by its clip again afterwards.
+IkResult search_free_posture(SceneCollision& scene, int limb, const LimbIk& ik, double t,
+                             const HandTarget& target, const SwivelSearch& settings,
+                             double clearance, const std::stop_token& stop = {});
+
+// Why there is no posture, for people; empty if there is one.
+std::string ik_reason(const IkResult& result, const LimbModel& limb);
+
+}  // namespace elbowroom

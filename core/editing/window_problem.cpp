@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "core/editing/window_problem.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/editing/limb_keys.h"
+
+namespace elbowroom {
+namespace {
+
+constexpr double kSpeedReserve = 1.05;  // over the clip's own peak speed, where that is the limit
+
+double limb_length(const WindowProblem& p) {
+  std::vector<ActorState> states;
+  world_state_at(p.scene->world(), p.begin, states);
+  const auto& globals = states[static_cast<std::size_t>(p.scene->actor())].world_from_joint;
+  double length = 0;
+  for (std::size_t j = 1; j < p.limb->joints.size(); ++j) {
+    const auto a = globals[static_cast<std::size_t>(p.limb->joints[j - 1].joint)][3];
+    const auto b = globals[static_cast<std::size_t>(p.limb->joints[j].joint)][3];
+    length += glm::length(Vec3(b) - Vec3(a));
+  }
+  return length > 0 ? length : 0.3 * p.scene->height();
+}
+
+// Limits and speed limits that the clip itself exceeds are widened for this query.
+void widen_limits(WindowProblem& p) {
+  std::vector<bool> widened(static_cast<std::size_t>(p.space.count()), false);
+  const int samples = std::max(2, static_cast<int>((p.end - p.begin) * 120));
+  for (int i = 0; i <= samples; ++i) {
+    const Dofs q = p.track->at(p.begin + (p.end - p.begin) * i / samples).q;
+    for (const int d : p.space.widen_to(q)) widened[static_cast<std::size_t>(d)] = true;
+  }
+  for (const Dofs* q : {&p.postures.front().state.q, &p.postures.back().state.q})
+    for (const int d : p.space.widen_to(*q)) widened[static_cast<std::size_t>(d)] = true;
+  for (int d = 0; d < p.space.count(); ++d) {
+    Dof& dof = p.space.dofs[static_cast<std::size_t>(d)];
+    const double own = std::max({p.track->peak_speed()[d], std::abs(p.postures.front().velocity[d]),
+                                 std::abs(p.postures.back().velocity[d])});
+    const bool too_fast = own * kSpeedReserve > dof.speed_limit;
+    if (too_fast) dof.speed_limit = own * kSpeedReserve;
+    if (widened[static_cast<std::size_t>(d)]) p.limits_widened.push_back(dof.name);
+    if (too_fast) p.limits_widened.push_back(dof.name + " (speed)");
+  }
+}
+
+}  // namespace
+
+std::array<Quat, 3> WindowProblem::residual_at(double t) const {
+  const double u = std::clamp((t - begin) / (end - begin), 0.0, 1.0);
+  return residual_between(postures.front().state, postures.back().state, u);
+}
+
+WindowProblem window_problem(SceneCollision& scene, const std::shared_ptr<const Clip>& clip,
+                             int limb, double begin, double end, const PlanningWishes& wishes) {
+  WindowProblem p;
+  p.scene = &scene;
+  p.clip = clip;
+  p.limb_index = limb;
+  p.limb = &scene.limbs()[static_cast<std::size_t>(limb)];
+  p.begin = begin;
+  p.end = end;
+  const Model& model = *scene.world().actors[static_cast<std::size_t>(scene.actor())].model;
+  p.track = std::make_shared<const LimbTrack>(model, *clip, *p.limb, begin, end);
+  // Where the clip begins or ends with the window there is no motion outside to meet: its own, seen
+  // from inside, is met instead.
+  p.postures = {{begin, p.track->at(begin), p.track->rate(begin, begin <= clip->begin ? 1 : -1)},
+                {end, p.track->at(end), p.track->rate(end, end >= clip->end ? -1 : 1)}};
+  p.space = p.limb->space;
+  for (Dof& dof : p.space.dofs) {
+    const auto wish = wishes.sampling.find(dof.name);
+    if (wish == wishes.sampling.end()) continue;
+    dof.sample_lower = std::clamp(wish->second.lower, dof.lower, dof.upper);
+    dof.sample_upper = std::clamp(wish->second.upper, dof.sample_lower, dof.upper);
+  }
+  widen_limits(p);
+  p.length_unit = limb_length(p);
+  return p;
+}
+
+Status check_wishes(const SceneCollision& scene, const std::vector<int>& limbs,
+                    const PlanningWishes& wishes) {
+  for (const auto& [name, interval] : wishes.sampling) {
+    std::string known;
+    bool found = false;
+    for (const int limb : limbs)
+      for (const Dof& dof : scene.limbs()[static_cast<std::size_t>(limb)].space.dofs) {
+        found = found || dof.name == name;
+        if (known.find(dof.name) == std::string::npos)
+          known += (known.empty() ? "" : "; ") + dof.name;
+      }
+    if (!found)
+      return Error{"there is no DOF \"" + name + "\" to sample", "", "the limb's DOFs: " + known};
+    if (!(interval.lower <= interval.upper))
+      return Error{"the sampling interval of \"" + name + "\" is empty or not a number", "",
+                   "give the lower bound first, in radians"};
+  }
+  return Done{};
+}
+
+}  // namespace elbowroom
