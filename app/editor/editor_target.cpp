@@ -55,7 +55,7 @@ void Editor::target_changed() {
                                         ticket = targeting_.ticket,
                                         mailbox = mailbox_](const std::stop_token& stop) {
     if (stop.stop_requested()) return;
-    TargetView view = work->posture(question);
+    TargetView view = work->posture(question, stop);
     if (stop.stop_requested()) return;
     mailbox->post([this, ticket, view = std::move(view)] {
       if (ticket == targeting_.ticket) state_.target = view;

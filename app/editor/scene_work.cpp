@@ -4,9 +4,7 @@
 #include <utility>
 
 #include "core/editing/plan_window.h"
-#if __has_include("core/editing/reach.h")
 #include "core/editing/reach.h"
-#endif
 
 namespace elbowroom {
 namespace {
@@ -52,18 +50,17 @@ PlanOutcome SceneWork::plan(std::shared_ptr<const Clip> clip, int limb, const Ta
   WindowReport report;
   std::optional<Correction> correction;
   if (task.kind == TaskKind::reach) {
-#if __has_include("core/editing/reach.h")
-    auto reached = reach(*scene_, limb, task, stop, progress);
+    auto reached = plan_reach(*scene_, limb, task, stop, progress);
     if (!reached) {
       outcome.error = reached.error();
       return outcome;
     }
-    if (!reached->windows.empty()) report = reached->windows.front();
-    if (!reached->corrections.empty()) correction = std::move(reached->corrections.front());
-#endif
+    report = std::move(reached->report);
+    correction = std::move(reached->correction);
   } else {
-    auto planned = plan_window(*scene_, clip, limb, task.window->lower, task.window->upper,
-                               task.wishes, stop, progress);
+    auto planned = plan_window(
+        window_problem(*scene_, clip, limb, task.window->lower, task.window->upper, task.wishes),
+        task.wishes, stop, progress);
     report = std::move(planned.report);
     correction = std::move(planned.correction);
   }

@@ -2,9 +2,9 @@
 #include "app/editor/target_work.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <cctype>
 
-#include "core/ik/swivel_search.h"
+#include "core/editing/reach.h"
 
 namespace elbowroom {
 namespace {
@@ -12,41 +12,26 @@ namespace {
 // While the mouse moves, an answer in time is worth more than the last posture of the circle.
 constexpr int kMostChecks = 60;
 
-std::string percent_of(double miss, double length) {
-  char text[96];
-  std::snprintf(text, sizeof text, "Out of reach by %.3g m (%.0f %% of the limb's length)", miss,
-                length > 0 ? 100 * miss / length : 0.0);
-  return text;
-}
-
-TargetView view_of(const IkResult& result, const LimbIk& ik) {
+TargetView view_of(const IkResult& result, const LimbModel& limb) {
   TargetView view;
   view.state = result.state;
   switch (result.status) {
     case IkStatus::solved:
       view.status = TargetView::Status::solved;
       view.text = "Reached, free of contacts";
-      break;
+      return view;
     case IkStatus::out_of_reach:
       view.status = TargetView::Status::out_of_reach;
-      view.text = percent_of(result.miss, ik.length());
       break;
-    case IkStatus::at_limit: {
+    case IkStatus::at_limit:
       view.status = TargetView::Status::at_limit;
-      const auto& dofs = ik.limb().space.dofs;
-      char text[160];
-      const bool known = result.dof >= 0 && result.dof < static_cast<int>(dofs.size());
-      std::snprintf(text, sizeof text, "At the limit of %s, by %.0f°",
-                    known ? dofs[static_cast<std::size_t>(result.dof)].name.c_str() : "a joint",
-                    result.excess * 180 / kPi);
-      view.text = text;
       break;
-    }
     case IkStatus::in_collision:
       view.status = TargetView::Status::in_collision;
-      view.text = "Every posture that reaches it collides";
       break;
   }
+  view.text = ik_reason(result, limb);
+  if (!view.text.empty()) view.text[0] = static_cast<char>(std::toupper(view.text[0]));
   return view;
 }
 
@@ -67,29 +52,38 @@ Result<LimbIk> ik_at(const TargetQuestion& question, const LimbModel& limb) {
                        limb_state(limb, figure.pose).residual);
 }
 
-TargetView solve(const TargetQuestion& question, const PostureCheck& valid) {
-  const LimbModel& limb = question.session->limbs[static_cast<std::size_t>(question.limb)];
-  const auto ik = ik_at(question, limb);
-  TargetView view;
-  if (!ik) {
-    view.status = TargetView::Status::out_of_reach;
-    view.text = ik.error().message();
-    return view;
-  }
-  DofSpace limits = limb.space;
-  limits.widen_to(ik->current());  // what the clip itself does is allowed
+SwivelSearch search_in(const DofSpace& limits) {
   SwivelSearch search;
   search.limits = &limits;
-  search.max_checks = valid ? kMostChecks : 0;
-  const IkTarget target{question.target.position, question.target.orientation};
-  return view_of(search_swivel(*ik, target, search, valid), *ik);
+  return search;
+}
+
+// What the clip itself does is within limits.
+DofSpace limits_for(const LimbModel& limb, const LimbIk& ik) {
+  DofSpace limits = limb.space;
+  limits.widen_to(ik.current());
+  return limits;
+}
+
+TargetView no_question(const Error& error) {
+  TargetView view;
+  view.status = TargetView::Status::out_of_reach;
+  view.text = error.message();
+  return view;
 }
 
 }  // namespace
 
-TargetView posture_by_limits(const TargetQuestion& question) { return solve(question, {}); }
+TargetView posture_by_limits(const TargetQuestion& question) {
+  const LimbModel& limb = question.session->limbs[static_cast<std::size_t>(question.limb)];
+  const auto ik = ik_at(question, limb);
+  if (!ik) return no_question(ik.error());
+  const DofSpace limits = limits_for(limb, *ik);
+  const IkTarget target{question.target.position, question.target.orientation};
+  return view_of(search_swivel(*ik, target, search_in(limits)), limb);
+}
 
-TargetView TargetWork::posture(const TargetQuestion& question) {
+TargetView TargetWork::posture(const TargetQuestion& question, const std::stop_token& stop) {
   if (!scene_ || session_ != question.session) {
     session_ = question.session;
     scene_.reset();
@@ -105,13 +99,18 @@ TargetView TargetWork::posture(const TargetQuestion& question) {
   const double clearance =
       question.clearance > 0 ? question.clearance : scene_->settings().clearance * scene_->height();
   const double touching = scene_->settings().epsilon * scene_->height();
+  const LimbModel& limb = scene_->limbs()[static_cast<std::size_t>(question.limb)];
+  const auto ik = ik_at(question, limb);
+  if (!ik) return no_question(ik.error());
+  const DofSpace limits = limits_for(limb, *ik);
+  SwivelSearch search = search_in(limits);
+  search.max_checks = kMostChecks;
   // With room to spare if there is such a posture, else one that merely does not touch.
   TargetView view;
   for (const double distance : {clearance, touching}) {
-    view = solve(question, [&](const LimbState& state) {
-      scene_->pose_limb(question.limb, &state);
-      return !scene_->limb_in_contact(question.target.time, question.limb, distance);
-    });
+    view = view_of(search_free_posture(*scene_, question.limb, *ik, question.target.time,
+                                       question.target, search, distance, stop),
+                   limb);
     if (view.status != TargetView::Status::in_collision) break;
   }
   if (view.status == TargetView::Status::in_collision && view.state) {

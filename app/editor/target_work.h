@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <stop_token>
 
 #include "core/editing/document.h"
 #include "core/editing/session.h"
@@ -29,8 +30,8 @@ TargetView posture_by_limits(const TargetQuestion& question);
 
 class TargetWork {
  public:
-  // With contacts, on the deformed skin.
-  TargetView posture(const TargetQuestion& question);
+  // With contacts, on the deformed skin. When stopped, whatever it is at.
+  TargetView posture(const TargetQuestion& question, const std::stop_token& stop);
 
  private:
   std::shared_ptr<const Session> session_;

@@ -184,7 +184,7 @@ std::optional<Curve> plan_part(WindowProblem& p, const PostureAt& from, const Po
   query.init = {from.state.q, from.time};
   query.goal = {to.state.q, to.time};
   query.length_unit = p.length_unit;
-  query.reference = [&p](double t) { return p.track->at(t).q; };
+  query.reference = [&p](double t) { return p.reference_at(t); };
   planner.sampling.near_share = attempt.near_share;
   planner.sampling.max_tries = 16;
   const auto planned = plan(*world, query, planner, stop, progress);
@@ -209,7 +209,7 @@ std::optional<Curve> plan_part(WindowProblem& p, const PostureAt& from, const Po
   curve_query.path = smoothed.path;
   curve_query.velocity_init = from.velocity;
   curve_query.velocity_goal = to.velocity;
-  curve_query.reference = [&p](double t) { return p.track->at(t).q; };
+  curve_query.reference = [&p](double t) { return p.reference_at(t); };
   CurveSettings curve_settings;
   curve_settings.seed = seed;
   if (attempt.on_skin) curve_settings.max_trials = 120;

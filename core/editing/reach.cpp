@@ -325,6 +325,19 @@ std::string ik_reason(const IkResult& result, const LimbModel& limb) {
   return "every posture that reaches the target touches something";
 }
 
+Result<WindowPlan> plan_reach(SceneCollision& scene, int limb, const Task& task,
+                              const std::stop_token& stop, const ProgressSink& progress) {
+  const Actor& actor = scene.world().actors[static_cast<std::size_t>(scene.actor())];
+  if (Status sound = check_task(scene, limb, task, actor.clip.get(), *actor.model); !sound)
+    return sound.error();
+  WindowPlan plan = Reach(scene, limb, task, actor.clip, stop, progress).run();
+  if (plan.correction) {
+    plan.correction->name = scene.limbs()[static_cast<std::size_t>(limb)].limb.name + " reaches";
+    plan.correction->task = task.name;
+  }
+  return plan;
+}
+
 Result<CorrectionOutcome> reach(SceneCollision& scene, int limb, const Task& task,
                                 std::stop_token stop, const ProgressSink& progress) {
   const Actor& actor = scene.world().actors[static_cast<std::size_t>(scene.actor())];
@@ -345,14 +358,14 @@ Result<CorrectionOutcome> reach(SceneCollision& scene, int limb, const Task& tas
   outcome.clip = source;
   if (progress) progress({"looking for contacts", -1});
   look(outcome.before, &outcome.other);
-  WindowPlan plan = Reach(scene, limb, task, source, stop, progress).run();
+  auto planned = plan_reach(scene, limb, task, stop, progress);
+  if (!planned) return planned.error();
+  WindowPlan& plan = *planned;
   outcome.windows.push_back(plan.report);
   if (plan.correction) {
     auto laid = lay_over(model->skeleton, *source, {*plan.correction});
     if (!laid) return laid.error();
     outcome.clip = std::make_shared<const Clip>(std::move(*laid));
-    plan.correction->name = scene.limbs()[static_cast<std::size_t>(limb)].limb.name + " reaches";
-    plan.correction->task = task.name;
     outcome.corrections.push_back(std::move(*plan.correction));
   }
   scene.set_clip(outcome.clip);

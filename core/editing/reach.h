@@ -13,6 +13,7 @@
 #pragma once
 
 #include "core/editing/correct.h"
+#include "core/editing/plan_window.h"
 #include "core/ik/swivel_search.h"
 
 namespace elbowroom {
@@ -26,6 +27,11 @@ namespace elbowroom {
 // Runs on the calling thread; stop tokens are answered within 50 ms or one contact query.
 Result<CorrectionOutcome> reach(SceneCollision& scene, int limb, const Task& task,
                                 std::stop_token stop = {}, const ProgressSink& progress = {});
+
+// The same without looking at the rest of the clip before and after: what an editor asks, which
+// knows its contacts. Its report and its correction, which is not yet laid over.
+Result<WindowPlan> plan_reach(SceneCollision& scene, int limb, const Task& task,
+                              const std::stop_token& stop = {}, const ProgressSink& progress = {});
 
 // The limb's inverse kinematics at time t of what the scene plays, with these residuals; for
 // editors that show the posture while a target is dragged. Errors: those of LimbIk::build.

@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kSpeedReserve = 1.05;  // over the clip's own peak speed, where that is the limit
 
+constexpr double kStyleBlend = 0.35;  // s, from the clip's posture to the style asked for
+constexpr double kStyleAir = 0.1;     // share of an interval, kept from its ends
+
 double limb_length(const WindowProblem& p) {
   std::vector<ActorState> states;
   world_state_at(p.scene->world(), p.begin, states);
@@ -47,6 +50,21 @@ void widen_limits(WindowProblem& p) {
 
 }  // namespace
 
+Dofs WindowProblem::reference_at(double t) const {
+  Dofs q = track->at(t).q;
+  double nearest = end - begin;
+  for (const PostureAt& posture : postures) nearest = std::min(nearest, std::abs(t - posture.time));
+  const double u = std::clamp(nearest / std::min(kStyleBlend, 0.5 * (end - begin)), 0.0, 1.0);
+  const double weight = u * u * u * (10 - 15 * u + 6 * u * u);  // C2 at both ends
+  for (std::size_t d = 0; d < wanted.size(); ++d) {
+    if (!wanted[d]) continue;
+    const double air = kStyleAir * (wanted[d]->upper - wanted[d]->lower);
+    double& value = q.value[d];
+    value += weight * (std::clamp(value, wanted[d]->lower + air, wanted[d]->upper - air) - value);
+  }
+  return q;
+}
+
 std::array<Quat, 3> WindowProblem::residual_at(double t) const {
   const double u = std::clamp((t - begin) / (end - begin), 0.0, 1.0);
   return residual_between(postures.front().state, postures.back().state, u);
@@ -70,9 +88,11 @@ WindowProblem window_problem(SceneCollision& scene, const std::shared_ptr<const 
   p.space = p.limb->space;
   for (Dof& dof : p.space.dofs) {
     const auto wish = wishes.sampling.find(dof.name);
+    p.wanted.emplace_back();
     if (wish == wishes.sampling.end()) continue;
     dof.sample_lower = std::clamp(wish->second.lower, dof.lower, dof.upper);
     dof.sample_upper = std::clamp(wish->second.upper, dof.sample_lower, dof.upper);
+    p.wanted.back() = Interval{dof.sample_lower, dof.sample_upper};
   }
   widen_limits(p);
   p.length_unit = limb_length(p);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,14 @@ struct WindowProblem {
   // First the one at `begin`, last the one at `end`; between them those of a reach, ascending. The
   // residuals of those between are residual_at their times.
   std::vector<PostureAt> postures;
+
+  // By DOF: where the animator's sampling intervals want it; none: as the clip has it.
+  std::vector<std::optional<Interval>> wanted;
+
+  // What the motion is to be like at t: the clip, and between the postures moved into the sampling
+  // intervals that the animator has set. Sampling alone would not keep a style: a curve that is
+  // drawn back to the clip forgets where its path was found.
+  Dofs reference_at(double t) const;
 
   // DESIGN.md, "Residual": from its value at `begin` to that at `end` by slerp.
   std::array<Quat, 3> residual_at(double t) const;
