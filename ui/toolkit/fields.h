@@ -18,8 +18,7 @@ struct NumberOptions {
   int decimals = 2;
   double shown_per_value = 1;  // 180/π shows radians in degrees, 100 metres in centimetres
   double drag_step = 0;        // shown units a pixel; 0: one of the last decimal
-  std::optional<double> reset_to =
-      {};  // Ctrl-click... double-click types; right click resets to this
+  std::optional<double> reset_to = {};  // a right click resets to this
   std::string_view hint = {};
   bool enabled = true;
   float width = 0;  // pixels at 100 %; 0: the panel's rest

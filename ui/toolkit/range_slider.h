@@ -39,7 +39,7 @@ void put_right(RangeModel& model);
 // Changes model.low and model.high: a handle is dragged, or the bar between them (both move; the
 // length stays), Shift for fine steps, Escape puts it back. Double-click on the track: the default.
 // Double-click on the numbers, or Enter with the keyboard's focus: type "85 140" or "85 – 140".
-// With the focus (a click gives it): Left and Right move the handle last used, Tab's neighbours Up
+// With the focus (a click gives it): Left and Right move the handle last used, Up
 // and Down choose the other one, Home goes to the default; Shift a tenth, Ctrl ten steps.
 // Recorded as "NAME", and its parts as "NAME.low", "NAME.high", "NAME.bar", "NAME.value".
 Edit range_slider(Ui& ui, std::string_view name, RangeModel& model,

@@ -34,63 +34,6 @@ struct Frame {
   double least() const { return 1 / usable_rate(model.frame_rate); }
 };
 
-TimelineHover hover_of(const Frame& frame, ImVec2 mouse) {
-  TimelineHover hover;
-  const TimelineLayout& layout = frame.layout;
-  const Ui& ui = frame.ui;
-  if (layout.row_area.contains(mouse) ||
-      (layout.labels.contains(mouse) && mouse.y >= layout.row_area.min.y &&
-       mouse.y < layout.row_area.max.y)) {
-    for (std::size_t i = 0; i < layout.rows.size(); ++i) {
-      const Rect& row = layout.rows[i];
-      if (mouse.y >= row.min.y - ui.px(2) && mouse.y < row.max.y + ui.px(2)) {
-        hover.row = static_cast<int>(i);
-      }
-    }
-  }
-  if (layout.row_area.contains(mouse)) {
-    const auto window = usable_window(frame.model);
-    if (window && window->row == hover.row) {
-      Rect low = window_handle(ui, layout, *window, true);
-      Rect high = window_handle(ui, layout, *window, false);
-      // Generous outwards, and a little inwards where there is room for it.
-      const float in = std::min(ui.px(4), (high.min.x - low.max.x) / 4);
-      low = {{low.min.x - ui.px(5), low.min.y}, {low.max.x + in, low.max.y}};
-      high = {{high.min.x - in, high.min.y}, {high.max.x + ui.px(5), high.max.y}};
-      hover.low = low.contains(mouse);
-      hover.high = !hover.low && high.contains(mouse);
-      hover.band = !hover.low && !hover.high && window_band(layout, *window).contains(mouse);
-    }
-    if (hover.row >= 0 && !hover.low && !hover.high) {
-      // Of bumps that overlap, the one drawn last is on top.
-      const auto& bumps = frame.model.rows[static_cast<std::size_t>(hover.row)].bumps;
-      for (std::size_t b = bumps.size(); b-- > 0 && hover.bump < 0;) {
-        Rect rect = bump_rect(ui, layout, hover.row, bumps[b]);
-        rect.min.x -= ui.px(2);
-        rect.max.x += ui.px(2);
-        if (rect.contains(mouse)) hover.bump = static_cast<int>(b);
-      }
-    }
-    return hover;
-  }
-  if (layout.marks.contains(mouse)) {
-    float best = ui.px(11);
-    for (std::size_t i = 0; i < frame.model.marks.size(); ++i) {
-      const double time = frame.model.marks[i].time;
-      if (!std::isfinite(time)) continue;
-      const float distance = std::abs(layout.scale.x_of(time) - mouse.x);
-      if (distance <= best) {
-        best = distance;
-        hover.mark = static_cast<int>(i);
-      }
-    }
-    return hover;
-  }
-  hover.playhead = mouse.x >= layout.scale.left &&
-                   (layout.ruler.contains(mouse) || layout.curves.contains(mouse));
-  return hover;
-}
-
 void press(Frame& frame, const TimelineHover& hover, double time) {
   TimelineView::Drag drag;
   drag.grabbed = time;
@@ -393,7 +336,7 @@ std::vector<TimelineEvent> timeline(Ui& ui, std::string_view name, const Timelin
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const double time = frame.layout.scale.time_of(mouse.x);
   TimelineHover hover;
-  if (hovered || view.drag.kind != Grip::none) hover = hover_of(frame, mouse);
+  if (hovered || view.drag.kind != Grip::none) hover = hover_of(ui, model, frame.layout, mouse);
   zoom_and_pan(frame, hovered, panning, mouse);
   if (clicked && ImGui::IsMouseDoubleClicked(0)) {
     if (frame.layout.ruler.contains(mouse)) {

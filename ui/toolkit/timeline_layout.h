@@ -36,6 +36,10 @@ struct TimelineHover {
   int row = -1, bump = -1, mark = -1;
   bool low = false, high = false, band = false, playhead = false;
 };
+// What is under the mouse: one thing; a bump may lie under the band.
+TimelineHover hover_of(const Ui& ui, const TimelineModel& model, const TimelineLayout& layout,
+                       ImVec2 mouse);
+
 void draw_timeline(Ui& ui, const TimelineModel& model, const TimelineLayout& layout,
                    const TimelineHover& hover, const std::optional<TimelineWindow>& drawn);
 

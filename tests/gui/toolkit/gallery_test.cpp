@@ -3,6 +3,7 @@
 // folder, the pictures are written there to be looked at.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <set>
 
@@ -71,6 +72,17 @@ TEST(GalleryDialogs, AreDrawnOverTheRest) {
     EXPECT_TRUE(write_png(*files, std::filesystem::path(folder) / "files.png").ok());
     EXPECT_TRUE(write_png(*question, std::filesystem::path(folder) / "question.png").ok());
   }
+}
+
+TEST(GalleryCost, AFrameOfAllWidgetsTakesAFractionOfAFrame) {
+  UiDriver driver(1600, 1000);
+  Gallery gallery = make_gallery();
+  driver.show([&](Ui& ui) { draw_gallery(ui, gallery); });
+  const auto start = std::chrono::steady_clock::now();
+  driver.frame(50);
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+  RecordProperty("milliseconds_a_frame", std::to_string(taken.count() / 50));
+  EXPECT_LT(taken.count() / 50, 16);
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, GalleryAt,
