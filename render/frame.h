@@ -79,6 +79,9 @@ struct Frame {
   std::optional<double>
       ground;              // height of the grid; else 0, or the lowest body if that is far off
   double pixel_scale = 1;  // of line widths and radii in pixels (screen scale)
+  // Keep a copy of the picture without ghosts, trails and marks: a next frame with this set that
+  // differs in nothing else is drawn over it. Costs a copy, and the memory of a second picture.
+  bool keep_scene = false;
 };
 
 }  // namespace elbowroom

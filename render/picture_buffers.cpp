@@ -49,6 +49,9 @@ Status PictureBuffers::resize(int new_width, int new_height, int new_samples, in
     width = new_width;
     height = new_height;
     samples = new_samples;
+    kept.reset();
+    kept_colour.reset();
+    kept_depth.reset();
     half_width = (width + 1) / 2;
     half_height = (height + 1) / 2;
 
@@ -97,6 +100,21 @@ Status PictureBuffers::resize(int new_width, int new_height, int new_samples, in
     }
   }
   return Done{};
+}
+
+bool PictureBuffers::make_kept() {
+  if (kept) return true;
+  const int asked = samples > 1 ? samples : 0;
+  kept_colour = make_renderbuffer(GL_SRGB8_ALPHA8, width, height, asked);
+  kept_depth = make_renderbuffer(GL_DEPTH_COMPONENT32F, width, height, asked);
+  kept = make_framebuffer();
+  glNamedFramebufferRenderbuffer(kept.name(), GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                                 kept_colour.name());
+  glNamedFramebufferRenderbuffer(kept.name(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+                                 kept_depth.name());
+  if (complete(kept)) return true;
+  kept.reset();
+  return false;
 }
 
 }  // namespace elbowroom

@@ -22,6 +22,11 @@ class PictureBuffers {
   GlTexture resolved_bytes;  // the same memory as RGBA8: the sRGB bytes as they are
   GlFramebuffer resolved_target, bytes_source;
 
+  // Makes the buffers of a second picture like the first one, where there are none yet.
+  bool make_kept();
+  GlRenderbuffer kept_colour, kept_depth;
+  GlFramebuffer kept;
+
   GlTexture geometry, occlusion, blurred;
   GlRenderbuffer half_depth;
   GlFramebuffer geometry_target, occlusion_target, blurred_target;

@@ -97,6 +97,20 @@ struct SceneRenderer::Data {
     bool operator==(const Cast&) const = default;
   };
   std::vector<Cast> casts;
+  // What a kept picture shows.
+  struct Scene {
+    std::vector<Cast> items;
+    std::vector<std::uint8_t> uniforms, glow;
+    std::vector<glm::vec4> emphasis;  // by actor
+    Style style;
+    bool operator==(const Scene&) const = default;
+  };
+  std::optional<Scene> kept_scene;
+  std::vector<std::uint8_t> glow_levels;  // as uploaded
+  Scene scene_of(const Frame& frame, const Style& style, const FrameUniforms& uniforms) const;
+  void draw_scene(const Frame& frame, const Style& style);
+  void copy_picture(const GlFramebuffer& from, const GlFramebuffer& to) const;
+
   Mat4 cast_matrix{0.0};
   unsigned cast_map = 0;
 
@@ -182,6 +196,7 @@ void SceneRenderer::Data::upload_glow(const Frame& frame) {
   }
   levels.resize((levels.size() + 3) / 4 * 4, 0);
   glow.write(levels.data(), levels.size());
+  glow_levels = std::move(levels);
 }
 
 void SceneRenderer::Data::set_frame(const Frame& frame, const Camera& camera, const Style& style,
@@ -368,6 +383,54 @@ void SceneRenderer::Data::draw_ghosts(const Frame& frame) {
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
+SceneRenderer::Data::Scene SceneRenderer::Data::scene_of(const Frame& frame, const Style& style,
+                                                         const FrameUniforms& uniforms) const {
+  Scene scene;
+  for (const auto& item : items) {
+    scene.items.push_back({item.actor, item.mesh, figures[item.actor].version()});
+  }
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(&uniforms);
+  scene.uniforms.assign(bytes, bytes + sizeof uniforms);
+  scene.glow = glow_levels;
+  for (const int begin : glow_begin) scene.emphasis.emplace_back(begin);
+  for (const auto& look : frame.looks) {
+    scene.emphasis.emplace_back(linear_from_rgb(look.emphasis_colour), look.emphasis_strength);
+  }
+  scene.style = style;
+  return scene;
+}
+
+void SceneRenderer::Data::copy_picture(const GlFramebuffer& from, const GlFramebuffer& to) const {
+  glBlitNamedFramebuffer(from.name(), to.name(), 0, 0, buffers.width, buffers.height, 0, 0,
+                         buffers.width, buffers.height, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT,
+                         GL_NEAREST);
+}
+
+// All but ghosts, trails and marks.
+void SceneRenderer::Data::draw_scene(const Frame& frame, const Style& style) {
+  draw_shadow();
+  draw_occlusion(style);
+  glBindFramebuffer(GL_FRAMEBUFFER, buffers.picture.name());
+  glViewport(0, 0, buffers.width, buffers.height);
+  glEnable(GL_FRAMEBUFFER_SRGB);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  bind_maps();
+  draw_surfaces(frame, style);
+  // At the far plane: only where there is nothing yet.
+  glDepthMask(GL_FALSE);
+  glBindVertexArray(empty.name());
+  glUseProgram(backdrop.name());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  if (style.ground) {
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glUseProgram(style.draft ? draft_ground.name() : ground.name());
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    glDisable(GL_BLEND);
+  }
+  glDepthMask(GL_TRUE);
+}
+
 Result<SceneRenderer> SceneRenderer::create() {
   if (epoxy_gl_version() < 45) {
     return Error{"the graphics driver offers OpenGL " + std::to_string(epoxy_gl_version() / 10) +
@@ -454,30 +517,24 @@ Status SceneRenderer::draw(const Frame& frame, const Camera& camera, const Style
   glDepthMask(GL_TRUE);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glEnable(GL_MULTISAMPLE);
-  d.draw_shadow();
-  d.draw_occlusion(style);
-
+  const bool have_kept = static_cast<bool>(d.buffers.kept);
+  if (frame.keep_scene && d.buffers.make_kept()) {
+    Data::Scene scene = d.scene_of(frame, style, uniforms);
+    if (have_kept && d.kept_scene == scene) {
+      d.copy_picture(d.buffers.kept, d.buffers.picture);
+    } else {
+      d.draw_scene(frame, style);
+      d.copy_picture(d.buffers.picture, d.buffers.kept);
+      d.kept_scene = std::move(scene);
+    }
+  } else {
+    d.draw_scene(frame, style);
+  }
   glBindFramebuffer(GL_FRAMEBUFFER, d.buffers.picture.name());
   glViewport(0, 0, width, height);
   glEnable(GL_FRAMEBUFFER_SRGB);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  d.bind_maps();
-  d.draw_surfaces(frame, style);
-  // At the far plane: only where there is nothing yet.
-  glDepthMask(GL_FALSE);
-  glBindVertexArray(d.empty.name());
-  glUseProgram(d.backdrop.name());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  glDepthMask(GL_TRUE);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  if (style.ground) {
-    glDepthMask(GL_FALSE);
-    glBindVertexArray(d.empty.name());
-    glUseProgram(style.draft ? d.draft_ground.name() : d.ground.name());
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-    glDepthMask(GL_TRUE);
-  }
   d.draw_ghosts(frame);
   d.overlay->draw(frame, style, d.view.camera.focus);
 

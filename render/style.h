@@ -62,6 +62,8 @@ struct Style {
   int samples = 4;             // a pixel; capped by what the driver has
   bool draft = false;  // hard shadows, no occlusion, plain textures: for pictures that move where
                        // there is no GPU (render/quality.h)
+
+  bool operator==(const Style&) const = default;
 };
 
 }  // namespace elbowroom

@@ -151,6 +151,14 @@ int run(int width, int height, int frames, const std::string& only, const char* 
       (void)write_png(renderer.read(), std::string(pictures) + "/" + quality.name + ".png");
     }
   }
+  std::vector<ActorState> ghost_states = states;
+  frame.ghosts.push_back({&world.actors[0], &ghost_states[0]});
+  const auto haunt = [&](int i) { world_state_at(world, 0.5 + 0.033 * i, ghost_states); };
+  measure("level: full, a ghost plays", style, size, haunt);
+  frame.keep_scene = true;
+  measure("level: full, a ghost over the kept", style, size, haunt);
+  frame.keep_scene = false;
+  frame.ghosts.clear();
   frame.world = nullptr;
   measure("empty scene", style, size, nothing);
   other = style;

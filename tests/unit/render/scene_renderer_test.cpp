@@ -381,6 +381,67 @@ TEST_F(SceneRendererTest, TrailsHaveTheColourOfEachPoint) {
   }
 }
 
+// Frames drawn over a kept scene are the frames themselves.
+TEST_F(SceneRendererTest, KeptScenesGiveTheSamePictures) {
+  const World world = lopsided();
+  std::vector<ActorState> states, later;
+  world_state_at(world, 0.5, states);
+  world_state_at(world, 0.9, later);
+  const Camera camera = three_quarter(world, 0.5);
+  Frame frame;
+  frame.world = &world;
+  frame.states = &states;
+  const Frame plain = frame;
+  Frame ghost = plain;
+  ghost.ghosts.push_back({&world.actors[0], &later[0]});
+  Frame marked = plain;
+  marked.markers.push_back({Vec3(0.1, 0.8, 0.2)});
+  Frame glowing = plain;
+  glowing.contacts.push_back({Vec3(0.0, 0.8, 0.2), 0.3, false});
+  Frame emphasized = plain;
+  emphasized.looks.resize(1);
+  emphasized.looks[0].emphasis.assign(
+      static_cast<std::size_t>(world.actors[0].model->skeleton.size()), 1.0f);
+  emphasized.looks[0].emphasis_strength = 1;
+  Frame recoloured = emphasized;
+  recoloured.looks[0].emphasis_colour = 0xff0000;
+  Frame moved = plain;
+  moved.states = &later;
+  Frame hidden = plain;
+  hidden.looks.resize(1);
+  hidden.looks[0].visible = false;
+  Frame hot = plain;
+  hot.glows.push_back({0, 0, std::vector<std::uint8_t>(50, 255)});
+  const Frame frames[] = {plain,      ghost, marked, glowing, emphasized,
+                          recoloured, moved, hidden, hot,     ghost};
+  for (const int samples : {1, 4}) {
+    Style style;
+    style.samples = samples;
+    std::vector<Picture> want;
+    for (const Frame& each : frames) want.push_back(draw(each, camera, style));
+    for (std::size_t k = 1; k + 1 < want.size(); ++k) {
+      EXPECT_GT(difference(want[0], want[k]), 0.0) << k;
+    }
+    for (std::size_t a = 0; a < want.size(); ++a) {
+      for (std::size_t b = 0; b < want.size(); ++b) {
+        if ((a + 2 * b) % 3 == 0) continue;  // two pairs of three will do
+        for (const std::size_t k : {a, b}) {
+          Frame kept = frames[k];
+          kept.keep_scene = true;
+          EXPECT_EQ(difference(draw(kept, camera, style), want[k]), 0.0) << a << " " << b;
+        }
+      }
+    }
+    // Another size in between, and another camera.
+    Frame kept = plain;
+    kept.keep_scene = true;
+    (void)draw(kept, camera, style, 80, 60);
+    EXPECT_EQ(difference(draw(kept, camera, style), want[0]), 0.0);
+    (void)draw(kept, orbited(camera, 1, 0), style);
+    EXPECT_EQ(difference(draw(kept, camera, style), want[0]), 0.0);
+  }
+}
+
 // What is kept from one picture to the next never shows: a renderer that has drawn other pictures
 // before draws the same as a fresh one.
 TEST_F(SceneRendererTest, KeptFiguresAndShadowsAreThoseOfTheFrame) {
@@ -418,11 +479,12 @@ TEST_F(SceneRendererTest, KeptFiguresAndShadowsAreThoseOfTheFrame) {
   }
   EXPECT_GT(difference(fresh[0], fresh[3]), 0.0);
   EXPECT_GT(difference(fresh[3], fresh[5]), 0.0);
-  // All pairs, one after the other, and an id picture of something else in between.
+  // Pairs, one after the other, and an id picture of something else in between.
   for (std::size_t a = 0; a < pictures.size(); ++a) {
     for (std::size_t b = 0; b < pictures.size(); ++b) {
+      if ((a + 2 * b) % 3 == 1) continue;  // two of three will do
       (void)pictures[a](renderer());
-      if ((a + b) % 3 == 0) {
+      if ((a + b) % 2 == 0) {
         std::vector<ActorState> states;
         world_state_at(other, 0.2, states);
         Frame frame;
