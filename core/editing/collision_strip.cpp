@@ -52,6 +52,15 @@ void sample(SceneCollision& scene, double t, std::vector<ContactSample>& scratch
   }
 }
 
+// Samples lie on one grid over the whole clip, so that a renewed stretch fits in.
+double sample_time(const CollisionStrip& strip, long i) {
+  return strip.begin + static_cast<double>(i) / kStripRate;
+}
+// The first sample that belongs to what begins at t.
+long first_sample(const CollisionStrip& strip, double t) {
+  return static_cast<long>(std::ceil((t - strip.begin) * kStripRate - 1e-6));
+}
+
 void look_at_stretch(SceneCollision& scene, double from, double to, CollisionStrip& strip) {
   for (const ContactInterval& contact : scene.scan(from, to, kScanRate, -1, false)) {
     if (contact.deepest.limb < 0)
@@ -60,13 +69,11 @@ void look_at_stretch(SceneCollision& scene, double from, double to, CollisionStr
       append(strip.limbs[static_cast<std::size_t>(contact.deepest.limb)].contacts, contact);
   }
   std::vector<ContactSample> scratch;
-  // Samples lie on one grid over the whole clip, so that a renewed stretch fits in.
-  const auto first = static_cast<long>(std::ceil((from - strip.begin) * kStripRate - 1e-9));
-  for (long i = first;; ++i) {
-    const double t = strip.begin + static_cast<double>(i) / kStripRate;
-    if (t > to || (t >= to && to < strip.end)) break;
-    sample(scene, t, scratch, strip);
-  }
+  const long end = first_sample(strip, to);
+  for (long i = first_sample(strip, from); i < end; ++i)
+    sample(scene, sample_time(strip, i), scratch, strip);
+  if (to >= strip.end && sample_time(strip, end) <= strip.end)
+    sample(scene, sample_time(strip, end), scratch, strip);
 }
 
 void finish(SceneCollision& scene, CollisionStrip& strip) {
@@ -97,24 +104,16 @@ bool look(SceneCollision& scene, double from, double to, const std::stop_token& 
   return true;
 }
 
-// What of a list of contacts lies outside [from, to].
-void cut_contacts(std::vector<ContactInterval>& list, double from, double to) {
-  std::vector<ContactInterval> kept;
+// Widens [from, to] to whole contacts: half a contact has another deepest point.
+void widen_to_contacts(const std::vector<ContactInterval>& list, double& from, double& to,
+                       bool& widened) {
   for (const ContactInterval& contact : list) {
-    if (contact.end < from || contact.begin > to) {
-      kept.push_back(contact);
-      continue;
-    }
-    if (contact.begin < from) {
-      kept.push_back(contact);
-      kept.back().end = from;
-    }
-    if (contact.end > to) {
-      kept.push_back(contact);
-      kept.back().begin = to;
-    }
+    if (contact.end < from || contact.begin > to) continue;
+    if (contact.begin >= from && contact.end <= to) continue;
+    from = std::min(from, contact.begin);
+    to = std::max(to, contact.end);
+    widened = true;
   }
-  list = std::move(kept);
 }
 
 }  // namespace
@@ -140,34 +139,46 @@ CollisionStrip renew_collision_strip(SceneCollision& scene, const CollisionStrip
   from = std::clamp(from, before.begin, before.end);
   to = std::clamp(to, from, before.end);
   CollisionStrip strip = before;
-  std::vector<std::vector<StripSample>> later(strip.limbs.size());
-  cut_contacts(strip.other, from, to);
+  for (bool widened = true; widened;) {
+    widened = false;
+    widen_to_contacts(strip.other, from, to, widened);
+    for (const LimbStrip& of_limb : strip.limbs)
+      widen_to_contacts(of_limb.contacts, from, to, widened);
+  }
+  from = std::max(from, strip.begin);
+  to = std::min(to, strip.end);
+  // What comes later waits, so that everything is appended in order.
+  CollisionStrip later = strip;
+  const long first = first_sample(strip, from), last = first_sample(strip, to);
+  const auto split = [&](std::vector<ContactInterval>& before_it,
+                         std::vector<ContactInterval>& after_it) {
+    std::erase_if(before_it, [&](const auto& contact) { return contact.end >= from; });
+    std::erase_if(after_it, [&](const auto& contact) { return contact.begin <= to; });
+  };
+  split(strip.other, later.other);
   for (std::size_t limb = 0; limb < strip.limbs.size(); ++limb) {
     LimbStrip& of_limb = strip.limbs[limb];
-    cut_contacts(of_limb.contacts, from, to);
+    split(of_limb.contacts, later.limbs[limb].contacts);
     of_limb.windows.clear();
-    for (const StripSample& old : of_limb.samples)
-      if (old.t > to || (old.t == to && to < strip.end)) later[limb].push_back(old);
-    std::erase_if(of_limb.samples, [&](const StripSample& old) { return old.t >= from; });
+    std::erase_if(of_limb.samples,
+                  [&](const auto& sample) { return sample.t >= sample_time(strip, first) - 1e-9; });
+    std::erase_if(later.limbs[limb].samples, [&](const auto& sample) {
+      return to >= strip.end || sample.t < sample_time(strip, last) - 1e-9;
+    });
   }
   // Until it is whole again nobody is told: its end would seem unknown.
   if (!look(scene, from, to, stop, {}, strip)) {
     strip.computed_to = from;
     return strip;
   }
-  for (std::size_t limb = 0; limb < strip.limbs.size(); ++limb)
-    strip.limbs[limb].samples.insert(strip.limbs[limb].samples.end(), later[limb].begin(),
-                                     later[limb].end());
-  // Contacts that the borders had cut in two are one again.
-  const auto join = [](std::vector<ContactInterval>& list) {
-    std::stable_sort(list.begin(), list.end(),
-                     [](const auto& a, const auto& b) { return a.begin < b.begin; });
-    std::vector<ContactInterval> joined;
-    for (const ContactInterval& contact : list) append(joined, contact);
-    list = std::move(joined);
-  };
-  join(strip.other);
-  for (LimbStrip& of_limb : strip.limbs) join(of_limb.contacts);
+  for (const ContactInterval& contact : later.other) append(strip.other, contact);
+  for (std::size_t limb = 0; limb < strip.limbs.size(); ++limb) {
+    LimbStrip& of_limb = strip.limbs[limb];
+    for (const ContactInterval& contact : later.limbs[limb].contacts)
+      append(of_limb.contacts, contact);
+    of_limb.samples.insert(of_limb.samples.end(), later.limbs[limb].samples.begin(),
+                           later.limbs[limb].samples.end());
+  }
   finish(scene, strip);
   strip.computed_to = strip.end;
   if (grown) grown(strip);
