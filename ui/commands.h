@@ -128,9 +128,6 @@ struct Click {
   bool place_target = false;  // else the limb that is hit is selected
 };
 
-struct DismissNotice {
-  int id = 0;
-};
 struct Quit {
   bool discard = false;  // without asking for what is not saved
 };
@@ -147,7 +144,7 @@ using Command =
                  command::CancelPlan, command::Accept, command::Discard, command::SelectCorrection,
                  command::MuteCorrection, command::DeleteCorrection, command::RenameCorrection,
                  command::ReplanCorrection, command::SetTarget, command::TargetFromPosture,
-                 command::Click, command::DismissNotice, command::Quit>;
+                 command::Click, command::Quit>;
 
 using Commands = std::vector<Command>;
 

@@ -28,10 +28,10 @@ struct JobState {
   double seconds = 0;    // since it began
 };
 
-// Something to tell, until dismissed (errors) or for a few seconds (the rest).
+// Something that happened and is told once: what went wrong, what was done.
 struct Notice {
   enum class Kind { error, warning, good };
-  int id = 0;
+  int id = 0;  // ascending
   Kind kind = Kind::error;
   Error text;
 };
@@ -109,7 +109,7 @@ struct EditorState {
   TargetView target;
 
   JobState opening, scanning, planning, exporting;
-  std::vector<Notice> notices;
+  std::vector<Notice> notices;  // the last few, oldest first
   std::vector<std::string> recent_files;
 
   bool open() const { return session != nullptr; }

@@ -22,6 +22,7 @@ struct EditorUi::Data {
   SceneFrame scene;
   Viewport viewport;
   Dialogs dialogs;
+  int told = 0;  // the newest notice that has been shown
 };
 
 EditorUi::EditorUi() : data_(std::make_unique<Data>()) {}
@@ -75,6 +76,18 @@ void EditorUi::draw(Ui& ui, const EditorState& state, ViewState& view, Commands&
     splitter_edit(1 - ratio - static_cast<double>(status / height), view.timeline_share);
 
   data_->dialogs.draw(context);
+
+  for (const Notice& notice : state.notices) {
+    if (notice.id <= data_->told) continue;
+    data_->told = notice.id;
+    if (notice.kind == Notice::Kind::error) {
+      ui.toast(notice.text);
+    } else {
+      const std::string where = notice.text.where.empty() ? "" : notice.text.where + ": ";
+      ui.toast(notice.kind == Notice::Kind::good ? Tone::good : Tone::selection,
+               where + notice.text.what, notice.text.remedy);
+    }
+  }
 }
 
 }  // namespace elbowroom

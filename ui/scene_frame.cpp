@@ -84,6 +84,8 @@ const Frame& SceneFrame::make(const EditorState& state, const ViewState& view, d
     add_target(state);
   }
   if (view.show_trails) add_trails(state);
+  // While a target is set the ghost follows it over a world that stands still.
+  frame_.keep_scene = state.document->draft.target.has_value() && !state.playing;
   return frame_;
 }
 

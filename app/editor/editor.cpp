@@ -12,8 +12,7 @@
 namespace elbowroom {
 namespace {
 
-constexpr double kGoodNoticeSeconds = 5;
-constexpr double kWarningNoticeSeconds = 12;
+constexpr std::size_t kMostNotices = 20;
 
 std::string seconds_text(double a, double b) {
   char text[64];
@@ -61,13 +60,8 @@ void Editor::begin_job(Running& running, JobState& job, const std::string& what)
 void Editor::tell(Notice::Kind kind, Error text) {
   std::erase_if(state_.notices,
                 [&](const Notice& old) { return old.text.message() == text.message(); });
-  state_.notices.push_back({next_notice_, kind, std::move(text)});
-  if (kind != Notice::Kind::error)
-    notice_ends_.emplace_back(
-        next_notice_,
-        now_ + (kind == Notice::Kind::good ? kGoodNoticeSeconds : kWarningNoticeSeconds));
-  ++next_notice_;
-  if (state_.notices.size() > 4) state_.notices.erase(state_.notices.begin());
+  state_.notices.push_back({next_notice_++, kind, std::move(text)});
+  if (state_.notices.size() > kMostNotices) state_.notices.erase(state_.notices.begin());
   changed_ = true;
 }
 
@@ -228,12 +222,6 @@ bool Editor::update(double now) {
        {std::pair(&state_.opening, &opening_), std::pair(&state_.scanning, &scanning_),
         std::pair(&state_.planning, &planning_), std::pair(&state_.exporting, &exporting_)})
     if (job->active) job->seconds = now - running->began;
-  std::erase_if(notice_ends_, [&](const auto& entry) {
-    if (entry.second > now) return false;
-    changed_ |= std::erase_if(state_.notices,
-                              [&](const Notice& notice) { return notice.id == entry.first; }) > 0;
-    return true;
-  });
   if (changed_) ++picture_version_;
   return std::exchange(changed_, false);
 }
@@ -442,8 +430,6 @@ void Editor::handle(const Command& command) {
           target_from_posture();
         } else if constexpr (std::is_same_v<T, cmd::Click>) {
           click(c);
-        } else if constexpr (std::is_same_v<T, cmd::DismissNotice>) {
-          std::erase_if(state_.notices, [&](const Notice& notice) { return notice.id == c.id; });
         } else if constexpr (std::is_same_v<T, cmd::Quit>) {
           if (state_.dirty && !c.discard)
             view_.dialog = Dialog::discard;

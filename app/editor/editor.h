@@ -131,7 +131,6 @@ class Editor {
   std::shared_ptr<const Clip> shown_clip_;
   double now_ = 0, played_at_ = -1;
   int next_notice_ = 1;
-  std::vector<std::pair<int, double>> notice_ends_;  // id, when it goes by itself
   std::uint64_t next_ticket_ = 1;
   bool quitting_ = false;
   bool changed_ = true;

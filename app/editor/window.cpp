@@ -25,8 +25,9 @@
 namespace elbowroom {
 namespace {
 
-constexpr int kFramesAfterAnEvent = 3;  // Dear ImGui settles its layout within these
-constexpr double kWorkingWait = 0.1;    // s, between frames that only show a job's progress
+constexpr int kFramesAfterAnEvent = 3;       // Dear ImGui settles its layout within these
+constexpr double kWorkingWait = 0.1;         // s, between frames that only show a job's progress
+constexpr double kStillWhileWorking = 0.06;  // s, that a picture at rest may take meanwhile
 constexpr int kLeastWidth = 800, kLeastHeight = 560;
 
 std::string last_glfw_error;
@@ -233,6 +234,7 @@ class EditorWindow {
     Commands commands;
     keys(commands);
     editor_ui_.draw(*ui_, editor_.state(), editor_.view(), commands);
+    ui_->end_frame(editor_ui_.viewport().max.y);
     ImGui::Render();
     editor_.handle(commands);
     int width = 0, height = 0;
@@ -273,7 +275,7 @@ class EditorWindow {
                           !(key.camera == painted_.camera);
       // A picture at rest must not hold up what is being computed and watched.
       QualityBudget budget;
-      if (editor_.working()) budget.still = budget.moving;
+      if (editor_.working()) budget.still = kStillWhileWorking;
       quality_.set_budget(budget);
       const DrawQuality& quality =
           kQualities[static_cast<std::size_t>(quality_.choose(moving, now))];

@@ -29,10 +29,8 @@ void presets(const PanelContext& context, const LimbModel& limb) {
     chosen = static_cast<int>(names.size());
     names.emplace_back("Own");
   }
-  ComboOptions options;
-  options.quiet = true;
-  options.hint = "Ready-made intervals: where the planner looks for postures";
-  if (combo(context.ui, "Preset", chosen, names, options) &&
+  if (heading_combo(context.ui, "Sampling intervals", "Preset", chosen, names,
+                    "Ready-made intervals: where the planner looks for postures") &&
       chosen < static_cast<int>(std::size(kSamplingPresets)))
     context.emit(command::ChoosePreset{kSamplingPresets[chosen]});
 }
@@ -42,13 +40,7 @@ void presets(const PanelContext& context, const LimbModel& limb) {
 void draw_limb_tab(const PanelContext& context) {
   Ui& ui = context.ui;
   const LimbModel& limb = *context.state.limb_model();
-  const ImVec2 line = ImGui::GetCursorPos();
-  heading(ui, "Sampling intervals");
-  const ImVec2 below = ImGui::GetCursorPos();
-  ImGui::SetCursorPos(line);
   presets(context, limb);
-  ImGui::SetCursorPos(below);
-  space(ui, 4);
   for (std::size_t d = 0; d < context.state.dofs.size(); ++d) {
     const DofView& dof = context.state.dofs[d];
     RangeModel range;
