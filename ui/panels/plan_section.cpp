@@ -17,7 +17,7 @@ void candidate_card(const PanelContext& context) {
   Ui& ui = context.ui;
   heading(ui, "Plan", "found in " + number_text(report.total_ms, 0, "ms"));
   std::vector<CardRow> rows = {
-      {"clearance", length_text(report.min_clearance)},
+      {"clearance in the scene", length_text(candidate.scene_clearance)},
       {"from the clip, at most", degrees_text(report.deviation_from_clip)},
       {"peak speed", number_text(report.peak_speed, 1, "rad/s")},
       {"free at every key and 240 Hz", "", Tone::good, true},
