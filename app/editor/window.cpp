@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <fstream>
 #include <memory>
+#include <optional>
 
 #include "app/editor/editor.h"
 #include "app/editor/key_names.h"
@@ -60,6 +61,15 @@ struct Input {
   int events = 0;
   double first_event = -1;  // time of the oldest one that no frame has shown yet
   std::vector<std::filesystem::path> dropped;
+  // What happened faster than a frame takes and must not be lost: keys pressed since the last frame
+  // (with their modifiers), and where the mouse was when a button went down.
+  struct Key {
+    int key = 0, modifiers = 0;
+    bool repeated = false;
+  };
+  std::vector<Key> keys;
+  double x = 0, y = 0;
+  std::optional<ImVec2> pressed_at;
 
   void note() {
     ++events;
@@ -72,10 +82,23 @@ Input& input_of(GLFWwindow* window) {
 }
 
 void watch_events(GLFWwindow* window) {
-  glfwSetKeyCallback(window, [](GLFWwindow* w, int, int, int, int) { input_of(w).note(); });
+  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int modifiers) {
+    if (action != GLFW_RELEASE && key >= 0)
+      input_of(w).keys.push_back({key, modifiers, action == GLFW_REPEAT});
+    input_of(w).note();
+  });
   glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { input_of(w).note(); });
-  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { input_of(w).note(); });
-  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { input_of(w).note(); });
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int action, int) {
+    Input& input = input_of(w);
+    if (action == GLFW_PRESS && !input.pressed_at)
+      input.pressed_at = ImVec2(static_cast<float>(input.x), static_cast<float>(input.y));
+    input.note();
+  });
+  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+    input_of(w).x = x;
+    input_of(w).y = y;
+    input_of(w).note();
+  });
   glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { input_of(w).note(); });
   glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { input_of(w).note(); });
   glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { input_of(w).note(); });
@@ -183,7 +206,7 @@ class EditorWindow {
       const int events = std::exchange(input.events, 0);
       input.first_event = -1;
       if (frames > 0) --frames;
-      frame(events > 0);
+      frame(input, events > 0);
       const double end = glfwGetTime();
       if (log)
         *log << start << ' ' << (asked >= 0 ? (end - asked) * 1e3 : -1.0) << ' '
@@ -226,13 +249,25 @@ class EditorWindow {
   }
 
   // `asked`: somebody has done something since the last one.
-  void frame(bool asked) {
+  void frame(Input& input, bool asked) {
+    ImGuiIO& io = ImGui::GetIO();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    // Dear ImGui sees the state of keys and mouse once a frame. A key that is up again already, or
+    // a button that went down before the mouse moved on, is shown to it all the same.
+    const std::vector<Input::Key> pressed = std::exchange(input.keys, {});
+    std::vector<int> held;
+    for (const Input::Key& key : pressed)
+      if (key.key < static_cast<int>(std::size(io.KeysDown)) && !io.KeysDown[key.key]) {
+        io.KeysDown[key.key] = true;
+        held.push_back(key.key);
+      }
+    if (const auto at = std::exchange(input.pressed_at, std::nullopt)) io.MousePos = *at;
     ImGui::NewFrame();
+    for (const int key : held) io.KeysDown[key] = false;
     ui_->begin_frame();
     Commands commands;
-    keys(commands);
+    keys(pressed, commands);
     editor_ui_.draw(*ui_, editor_.state(), editor_.view(), commands);
     ui_->end_frame(editor_ui_.viewport().max.y);
     ImGui::Render();
@@ -319,19 +354,17 @@ class EditorWindow {
     std::filesystem::rename(fresh, file, ignored);
   }
 
-  // Shortcuts, unless a text is being typed.
-  void keys(Commands& commands) {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantTextInput || editor_.view().dialog != Dialog::none) return;
-    for (int key = 0; key <= GLFW_KEY_LAST; ++key) {
-      if (!ImGui::IsKeyPressed(key, true)) continue;
-      Shortcut pressed = shortcut_of_glfw(key);
-      if (pressed.key == Shortcut::none) continue;
-      pressed.ctrl = io.KeyCtrl;
-      pressed.shift = io.KeyShift;
-      pressed.alt = io.KeyAlt;
-      pressed.repeats = !ImGui::IsKeyPressed(key, false);
-      press(pressed, editor_.state(), editor_.view(), commands);
+  // Shortcuts, unless a text is being typed or a dialog has the word.
+  void keys(const std::vector<Input::Key>& pressed, Commands& commands) {
+    if (ImGui::GetIO().WantTextInput || editor_.view().dialog != Dialog::none) return;
+    for (const Input::Key& key : pressed) {
+      Shortcut shortcut = shortcut_of_glfw(key.key);
+      if (shortcut.key == Shortcut::none) continue;
+      shortcut.ctrl = (key.modifiers & GLFW_MOD_CONTROL) != 0;
+      shortcut.shift = (key.modifiers & GLFW_MOD_SHIFT) != 0;
+      shortcut.alt = (key.modifiers & GLFW_MOD_ALT) != 0;
+      shortcut.repeats = key.repeated;
+      press(shortcut, editor_.state(), editor_.view(), commands);
     }
   }
 
