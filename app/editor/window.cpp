@@ -18,6 +18,7 @@
 #include "app/editor/editor.h"
 #include "app/editor/key_names.h"
 #include "app/editor/settings.h"
+#include "app/editor/window_input.h"
 #include "render/quality.h"
 #include "render/scene_renderer.h"
 #include "ui/actions.h"
@@ -55,61 +56,6 @@ class Glfw {
  private:
   bool ready_ = false;
 };
-
-// What callbacks leave for the loop.
-struct Input {
-  int events = 0;
-  double first_event = -1;  // time of the oldest one that no frame has shown yet
-  std::vector<std::filesystem::path> dropped;
-  // What happened faster than a frame takes and must not be lost: keys pressed since the last frame
-  // (with their modifiers), and where the mouse was when a button went down.
-  struct Key {
-    int key = 0, modifiers = 0;
-    bool repeated = false;
-  };
-  std::vector<Key> keys;
-  double x = 0, y = 0;
-  std::optional<ImVec2> pressed_at;
-
-  void note() {
-    ++events;
-    if (first_event < 0) first_event = glfwGetTime();
-  }
-};
-
-Input& input_of(GLFWwindow* window) {
-  return *static_cast<Input*>(glfwGetWindowUserPointer(window));
-}
-
-void watch_events(GLFWwindow* window) {
-  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int modifiers) {
-    if (action != GLFW_RELEASE && key >= 0)
-      input_of(w).keys.push_back({key, modifiers, action == GLFW_REPEAT});
-    input_of(w).note();
-  });
-  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { input_of(w).note(); });
-  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int action, int) {
-    Input& input = input_of(w);
-    if (action == GLFW_PRESS && !input.pressed_at)
-      input.pressed_at = ImVec2(static_cast<float>(input.x), static_cast<float>(input.y));
-    input.note();
-  });
-  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
-    input_of(w).x = x;
-    input_of(w).y = y;
-    input_of(w).note();
-  });
-  glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { input_of(w).note(); });
-  glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { input_of(w).note(); });
-  glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { input_of(w).note(); });
-  glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { input_of(w).note(); });
-  glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { input_of(w).note(); });
-  glfwSetWindowCloseCallback(window, [](GLFWwindow* w) { input_of(w).note(); });
-  glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
-    for (int i = 0; i < count; ++i) input_of(w).dropped.emplace_back(paths[i]);
-    input_of(w).note();
-  });
-}
 
 Style viewport_style(bool light) {
   Style style;
@@ -177,7 +123,7 @@ class EditorWindow {
 
   Editor& editor() { return editor_; }
 
-  void run(Input& input, std::ofstream* log, const std::filesystem::path& widget_log) {
+  void run(WindowInput& input, std::ofstream* log, const std::filesystem::path& widget_log) {
     int frames = kFramesAfterAnEvent;
     std::string title;
     while (true) {
@@ -249,15 +195,15 @@ class EditorWindow {
   }
 
   // `asked`: somebody has done something since the last one.
-  void frame(Input& input, bool asked) {
+  void frame(WindowInput& input, bool asked) {
     ImGuiIO& io = ImGui::GetIO();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     // Dear ImGui sees the state of keys and mouse once a frame. A key that is up again already, or
     // a button that went down before the mouse moved on, is shown to it all the same.
-    const std::vector<Input::Key> pressed = std::exchange(input.keys, {});
+    const std::vector<WindowInput::Key> pressed = std::exchange(input.keys, {});
     std::vector<int> held;
-    for (const Input::Key& key : pressed)
+    for (const WindowInput::Key& key : pressed)
       if (key.key < static_cast<int>(std::size(io.KeysDown)) && !io.KeysDown[key.key]) {
         io.KeysDown[key.key] = true;
         held.push_back(key.key);
@@ -355,9 +301,9 @@ class EditorWindow {
   }
 
   // Shortcuts, unless a text is being typed or a dialog has the word.
-  void keys(const std::vector<Input::Key>& pressed, Commands& commands) {
+  void keys(const std::vector<WindowInput::Key>& pressed, Commands& commands) {
     if (ImGui::GetIO().WantTextInput || editor_.view().dialog != Dialog::none) return;
-    for (const Input::Key& key : pressed) {
+    for (const WindowInput::Key& key : pressed) {
       Shortcut shortcut = shortcut_of_glfw(key.key);
       if (shortcut.key == Shortcut::none) continue;
       shortcut.ctrl = (key.modifiers & GLFW_MOD_CONTROL) != 0;
@@ -415,9 +361,8 @@ Status run_editor(const WindowOptions& options) {
 
   std::ofstream log;
   if (!options.frame_log.empty()) log.open(options.frame_log);
-  Input input;
-  glfwSetWindowUserPointer(glfw.window, &input);
-  watch_events(glfw.window);
+  WindowInput input;
+  watch_events(glfw.window, input);
   EditorWindow window(glfw.window, std::move(*renderer), settings);
   if (options.files.empty())
     window.editor().handle(command::OpenDemo{});

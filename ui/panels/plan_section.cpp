@@ -98,8 +98,8 @@ void draw_plan_section(const PanelContext& context) {
     ImGui::SameLine(0, ui.px(ui.theme().metrics.gap));
     ButtonOptions seed;
     seed.icon = Icon::refresh;
-    seed.hint = "Plan with another seed: another way around, if there is one";
-    if (button(ui, "Seed " + std::to_string(wishes.seed) + "###Seed", seed)) {
+    seed.hint = "The seed; click to plan with the next one: another way around, if there is one";
+    if (button(ui, std::to_string(wishes.seed) + "###Seed", seed)) {
       ++wishes.seed;
       context.emit(command::SetWishes{wishes, "Seed " + std::to_string(wishes.seed)});
       context.emit(command::Plan{});
