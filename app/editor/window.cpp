@@ -232,7 +232,7 @@ class EditorWindow {
     ImGui::NewFrame();
     ui_->begin_frame();
     Commands commands;
-    keys(commands);
+    press_keys(*ui_, editor_.state(), editor_.view(), commands);
     editor_ui_.draw(*ui_, editor_.state(), editor_.view(), commands);
     ui_->end_frame(editor_ui_.viewport().max.y);
     ImGui::Render();
@@ -317,22 +317,6 @@ class EditorWindow {
     std::ofstream(fresh) << text;
     std::error_code ignored;
     std::filesystem::rename(fresh, file, ignored);
-  }
-
-  // Shortcuts, unless a text is being typed.
-  void keys(Commands& commands) {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantTextInput || editor_.view().dialog != Dialog::none) return;
-    for (int key = 0; key <= GLFW_KEY_LAST; ++key) {
-      if (!ImGui::IsKeyPressed(key, true)) continue;
-      Shortcut pressed = shortcut_of_glfw(key);
-      if (pressed.key == Shortcut::none) continue;
-      pressed.ctrl = io.KeyCtrl;
-      pressed.shift = io.KeyShift;
-      pressed.alt = io.KeyAlt;
-      pressed.repeats = !ImGui::IsKeyPressed(key, false);
-      press(pressed, editor_.state(), editor_.view(), commands);
-    }
   }
 
   GLFWwindow* window_;
