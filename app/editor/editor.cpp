@@ -20,6 +20,39 @@ std::string seconds_text(double a, double b) {
   return text;
 }
 
+// Commands come from other programs too: what makes no sense is not carried out.
+bool usable(const PlanningWishes& wishes) {
+  return std::isfinite(wishes.clearance) && wishes.clearance >= 0 &&
+         std::isfinite(wishes.max_seconds) && wishes.max_seconds >= 0 &&
+         wishes.max_iterations > 0 && wishes.alternatives > 0;
+}
+
+bool usable(const HandTarget& target) {
+  const auto finite = [](const auto& v, int count) {
+    for (int i = 0; i < count; ++i)
+      if (!std::isfinite(v[i])) return false;
+    return true;
+  };
+  return std::isfinite(target.time) && finite(target.position, 3) &&
+         (!target.orientation || (finite(*target.orientation, 4) &&
+                                  std::abs(glm::length(*target.orientation) - 1) < 1e-3));
+}
+
+// The limb has that DOF, and the interval holds something within its limits.
+bool usable_sampling(const LimbModel* limb, const command::SetSampling& wanted) {
+  if (wanted.phase == Phase::cancelled) return true;
+  if (!limb) return false;
+  for (int d = 0; d < limb->dof_count(); ++d) {
+    const Dof& dof = limb->space.dofs[static_cast<std::size_t>(d)];
+    if (dof.name != wanted.dof) continue;
+    const auto& interval = wanted.interval;
+    return !interval || (std::isfinite(interval->lower) && std::isfinite(interval->upper) &&
+                         interval->lower <= interval->upper && interval->upper >= dof.lower &&
+                         interval->lower <= dof.upper);
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string limb_title(const std::string& limb) {
@@ -142,8 +175,9 @@ void Editor::refresh() {
       for (const auto& problem : motion.problems)
         state_.corrections.push_back({!problem, problem ? problem->message() : ""});
       if (changed) {
-        // A ghost planned on another motion is none of this one.
+        // What is planned on another motion is none of this one.
         state_.candidate.reset();
+        cancel_plan();
         rescan(*changed);
       }
     }
@@ -367,7 +401,7 @@ void Editor::handle(const Command& command) {
           set_window(c);
         } else if constexpr (std::is_same_v<T, cmd::SetSampling>) {
           const std::string limb = document.draft.limb;
-          if (limb.empty()) return;
+          if (limb.empty() || !usable_sampling(state_.limb_model(), c)) return;
           edit(c.interval ? "Sampling of " + c.dof : "Reset " + c.dof, c.phase,
                [&](Document& changed) {
                  auto& sampling = changed.draft.wishes[limb].sampling;
@@ -380,7 +414,7 @@ void Editor::handle(const Command& command) {
           choose_preset(c.preset);
         } else if constexpr (std::is_same_v<T, cmd::SetWishes>) {
           const std::string limb = document.draft.limb;
-          if (limb.empty()) return;
+          if (limb.empty() || (c.phase != Phase::cancelled && !usable(c.wishes))) return;
           edit(c.what, c.phase, [&](Document& changed) {
             auto& wishes = changed.draft.wishes[limb];
             auto sampling = std::move(wishes.sampling);
@@ -423,9 +457,14 @@ void Editor::handle(const Command& command) {
         } else if constexpr (std::is_same_v<T, cmd::ReplanCorrection>) {
           replan(c.index);
         } else if constexpr (std::is_same_v<T, cmd::SetTarget>) {
-          if (state_.limb < 0) return;
+          if (state_.limb < 0 || !state_.source) return;
+          auto target = c.target;
+          if (c.phase != Phase::cancelled && target) {
+            if (!usable(*target)) return;
+            target->time = std::clamp(target->time, state_.begin, state_.end);
+          }
           edit(c.target ? c.what : "Remove hand target", c.phase,
-               [&](Document& changed) { changed.draft.target = c.target; });
+               [&](Document& changed) { changed.draft.target = target; });
         } else if constexpr (std::is_same_v<T, cmd::TargetFromPosture>) {
           target_from_posture();
         } else if constexpr (std::is_same_v<T, cmd::Click>) {

@@ -81,12 +81,18 @@ class Editor {
   void go_to_problem(int direction);
   void choose_preset(SamplingPreset preset);
   void set_window(const command::SetWindow& wanted);
+  std::optional<Interval> within_clip(Interval window) const;
   int limb_index(const std::string& name) const;
 
   // editor_files.cpp
   void open_files(const std::vector<std::filesystem::path>& paths);
   void open_demo();
-  void read_files(Document document, std::filesystem::path project, bool fresh);
+  enum class Why {
+    fresh,   // another document
+    change,  // a change of the scene of the one that is open
+    follow,  // undo or redo has changed its scene
+  };
+  void read_files(Document document, std::filesystem::path project, Why why);
   void opened(Session session, std::filesystem::path project, bool fresh);
   void scene_changed();
   void attach_object(const std::filesystem::path& file, const std::string& joint);
@@ -99,7 +105,7 @@ class Editor {
   // editor_plan.cpp
   void prepare_contacts();
   void rescan(const Interval& changed);
-  void look_for_contacts(std::optional<Interval> changed);
+  void look_for_contacts();
   void plan();
   void start_plan(int limb, Task task);
   void cancel_plan();
@@ -125,6 +131,8 @@ class Editor {
   std::shared_ptr<const Session> session_;
   std::uint64_t session_number_ = 0;  // results of another session are passed over
   std::vector<Correction> shown_corrections_;
+  // Where the document's motion differs from what `strip` has been made of.
+  std::optional<Interval> unseen_;
   std::uint64_t refreshed_revision_ = 0;
   std::optional<HandTarget> shown_target_;
   std::string shown_limb_;

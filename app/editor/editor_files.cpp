@@ -40,7 +40,7 @@ struct Opening {
 }  // namespace
 
 void Editor::open(Document document, std::filesystem::path project) {
-  read_files(std::move(document), std::move(project), true);
+  read_files(std::move(document), std::move(project), Why::fresh);
 }
 
 void Editor::open_demo() {
@@ -105,23 +105,26 @@ void Editor::open_files(const std::vector<std::filesystem::path>& paths) {
       if (error)
         tell(Notice::Kind::error, *error);
       else
-        read_files(opening.document, opening.project, opening.fresh);
+        read_files(opening.document, opening.project, opening.fresh ? Why::fresh : Why::change);
     });
   });
 }
 
-void Editor::read_files(Document document, std::filesystem::path project, bool fresh) {
+void Editor::read_files(Document document, std::filesystem::path project, Why why) {
   begin_job(
       opening_, state_.opening,
       "Opening " + (project.empty() ? document.scene.character : project).filename().string());
   opening_.stop =
-      files_thread_.run([this, document = std::move(document), project = std::move(project), fresh,
+      files_thread_.run([this, document = std::move(document), project = std::move(project), why,
                          ticket = opening_.ticket, mailbox = mailbox_](const std::stop_token&) {
         auto session = open_session(document, extra_limb(document));
-        mailbox->post([this, ticket, project, fresh,
+        mailbox->post([this, ticket, project, why, scene = document.scene,
                        session = std::make_shared<Result<Session>>(std::move(session))] {
           if (ticket != opening_.ticket) return;
           state_.opening.active = false;
+          // Undo and redo may have gone back again meanwhile.
+          if (why == Why::follow && history_.document().scene != scene) return;
+          const bool fresh = why == Why::fresh;
           if (!*session) {
             tell(Notice::Kind::error, session->error());
             // What the document says again is what is open.
@@ -144,7 +147,14 @@ void Editor::opened(Session session, std::filesystem::path project, bool fresh) 
   const Document document = session.document;
   planning_.stop.request_stop();
   scanning_.stop.request_stop();
+  // What they have posted already is of the scene before.
+  planning_.ticket = next_ticket_++;
+  scanning_.ticket = next_ticket_++;
   state_.planning.active = state_.scanning.active = false;
+  // A scene of its own for each session: a job of the old one may still be running.
+  scene_work_ = std::make_shared<SceneWork>();
+  target_work_ = std::make_shared<TargetWork>();
+  unseen_.reset();
   session_ = std::make_shared<const Session>(std::move(session));
   ++session_number_;
   if (fresh) {
@@ -186,10 +196,11 @@ void Editor::opened(Session session, std::filesystem::path project, bool fresh) 
 // Undo and redo go through changes of the scene too.
 void Editor::scene_changed() {
   if (!session_ || history_.document().scene == session_->document.scene) return;
-  read_files(history_.document(), project_, false);
+  read_files(history_.document(), project_, Why::follow);
 }
 
 void Editor::attach_object(const std::filesystem::path& file, const std::string& joint) {
+  if (!session_) return;
   Document changed = history_.document();
   auto& scene = changed.scene;
   const auto held = std::find_if(scene.attachments.begin(), scene.attachments.end(),
@@ -202,22 +213,23 @@ void Editor::attach_object(const std::filesystem::path& file, const std::string&
   else
     scene.attachments.push_back({file, joint, {}});
   if (changed.scene == history_.document().scene) return;
-  read_files(std::move(changed), project_, false);
+  read_files(std::move(changed), project_, Why::change);
 }
 
 void Editor::remove_object(const std::filesystem::path& file) {
+  if (!session_) return;
   Document changed = history_.document();
   std::erase(changed.scene.obstacles, file);
   std::erase_if(changed.scene.attachments, [&](const AttachedFile& a) { return a.file == file; });
   if (changed.scene == history_.document().scene) return;
-  read_files(std::move(changed), project_, false);
+  read_files(std::move(changed), project_, Why::change);
 }
 
 void Editor::choose_clip(const std::string& name) {
   if (!session_ || history_.document().scene.clip == name) return;
   Document changed = history_.document();
   changed.scene.clip = name;
-  read_files(std::move(changed), project_, false);
+  read_files(std::move(changed), project_, Why::change);
 }
 
 void Editor::remember(const std::filesystem::path& path) {
@@ -232,6 +244,7 @@ void Editor::remember(const std::filesystem::path& path) {
 void Editor::save(const std::filesystem::path& path) {
   if (!session_) return;
   history_.commit();
+  document_changed();
   const auto target = path.empty() ? project_ : path;
   if (target.empty()) {
     view_.dialog = Dialog::save_project;

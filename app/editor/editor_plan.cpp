@@ -10,6 +10,8 @@
 namespace elbowroom {
 namespace {
 
+constexpr const char* kPreparing = "Looking at the scene";
+
 std::string with_window(const std::string& what, const Interval& window) {
   char text[160];
   std::snprintf(text, sizeof text, "%s %.2f–%.2f s", what.c_str(), window.lower, window.upper);
@@ -29,10 +31,7 @@ std::string unique_name(const Document& document, const std::string& wanted) {
 
 void Editor::prepare_contacts() {
   if (!session_ || !state_.source || session_->limbs.empty()) return;
-  begin_job(scanning_, state_.scanning, "Looking at the scene");
-  // A scene of its own for each session: a job of the old one may still be running.
-  scene_work_ = std::make_shared<SceneWork>();
-  target_work_ = std::make_shared<TargetWork>();
+  begin_job(scanning_, state_.scanning, kPreparing);
   scanning_.stop =
       scene_thread_.run([this, session = session_, work = scene_work_, ticket = scanning_.ticket,
                          mailbox = mailbox_](const std::stop_token& stop) {
@@ -42,25 +41,39 @@ void Editor::prepare_contacts() {
           if (ticket != scanning_.ticket) return;
           state_.scanning.active = false;
           if (prepared)
-            look_for_contacts({});
+            look_for_contacts();
           else
             tell(Notice::Kind::error, prepared.error());
         });
       });
 }
 
-void Editor::rescan(const Interval& changed) { look_for_contacts(changed); }
+void Editor::rescan(const Interval& changed) {
+  if (!unseen_) unseen_ = changed;
+  unseen_->lower = std::min(unseen_->lower, changed.lower);
+  unseen_->upper = std::max(unseen_->upper, changed.upper);
+  // While the scene is made ready, its first look is to come and sees this too.
+  if (state_.scanning.active && state_.scanning.what == kPreparing) return;
+  look_for_contacts();
+}
 
 // The strip of the document's motion, anew or only where it has changed since the last one.
-void Editor::look_for_contacts(std::optional<Interval> changed) {
+void Editor::look_for_contacts() {
   if (!session_ || !state_.clip || session_->limbs.empty()) return;
+  auto changed = unseen_;
   if (!state_.source_strip || !state_.strip || !state_.strip->complete()) changed.reset();
   begin_job(scanning_, state_.scanning, "Looking for contacts");
   scanning_.stop = scene_thread_.run([this, work = scene_work_, source = state_.source,
                                       clip = state_.clip, known_source = state_.source_strip,
                                       known = state_.strip, changed, ticket = scanning_.ticket,
                                       mailbox = mailbox_](const std::stop_token& stop) {
-    if (!work->ready() || stop.stop_requested()) return;
+    if (stop.stop_requested()) return;
+    if (!work->ready()) {
+      mailbox->post([this, ticket] {
+        if (ticket == scanning_.ticket) state_.scanning.active = false;
+      });
+      return;
+    }
     const auto tell_strip = [&](bool of_source, bool of_clip, CollisionStrip strip) {
       mailbox->post([this, ticket, of_source, of_clip,
                      shared = std::make_shared<const CollisionStrip>(std::move(strip))] {
@@ -69,7 +82,10 @@ void Editor::look_for_contacts(std::optional<Interval> changed) {
         if (of_clip) state_.strip = shared;
         const double length = shared->end - shared->begin;
         state_.scanning.fraction = length > 0 ? (shared->computed_to - shared->begin) / length : 1;
-        if (of_clip && shared->complete()) state_.scanning.active = false;
+        if (of_clip && shared->complete()) {
+          state_.scanning.active = false;
+          unseen_.reset();
+        }
       });
     };
     const bool same = source == clip;
@@ -96,15 +112,22 @@ void Editor::look_for_contacts(std::optional<Interval> changed) {
   });
 }
 
+// The window put right: two frames long at least, inside the clip. None for what is no window.
+std::optional<Interval> Editor::within_clip(Interval window) const {
+  if (!std::isfinite(window.lower) || !std::isfinite(window.upper)) return std::nullopt;
+  if (window.lower > window.upper) std::swap(window.lower, window.upper);
+  const double least = std::min(2 / state_.frame_rate, state_.end - state_.begin);
+  window.lower = std::max(state_.begin, std::min(window.lower, state_.end - least));
+  window.upper = std::min(state_.end, std::max(window.upper, window.lower + least));
+  return window;
+}
+
 void Editor::set_window(const command::SetWindow& wanted) {
   if (!state_.source || state_.limb < 0) return;
-  std::optional<Interval> window = wanted.window;
-  if (window) {
-    if (!std::isfinite(window->lower) || !std::isfinite(window->upper)) return;
-    if (window->lower > window->upper) std::swap(window->lower, window->upper);
-    const double least = std::min(2 / state_.frame_rate, state_.end - state_.begin);
-    window->lower = std::clamp(window->lower, state_.begin, state_.end - least);
-    window->upper = std::clamp(window->upper, window->lower + least, state_.end);
+  std::optional<Interval> window;
+  if (wanted.window) {
+    window = within_clip(*wanted.window);
+    if (!window) return;
   }
   edit(window ? "Set window" : "Clear window", wanted.phase,
        [&](Document& document) { document.draft.window = window; });
@@ -113,7 +136,7 @@ void Editor::set_window(const command::SetWindow& wanted) {
 void Editor::plan() {
   if (!session_ || !state_.clip) return;
   history_.commit();
-  const Draft& draft = history_.document().draft;
+  document_changed();
   if (state_.limb < 0) {
     go_to_problem(1);
     if (state_.limb < 0) {
@@ -122,6 +145,9 @@ void Editor::plan() {
       return;
     }
   }
+  Draft draft = history_.document().draft;
+  // It may have been chosen on a longer clip.
+  if (draft.window) draft.window = within_clip(*draft.window);
   Task task;
   task.limb = draft.limb;
   task.wishes = wishes();
@@ -148,8 +174,9 @@ void Editor::plan() {
         return;
       }
       select_problem(state_.limb, 0);
+      draft.window = history_.document().draft.window;
     }
-    task.window = history_.document().draft.window;
+    task.window = draft.window;
     task.name = with_window(limb_title(task.limb), *task.window);
   }
   start_plan(state_.limb, std::move(task));
@@ -166,7 +193,16 @@ void Editor::start_plan(int limb, Task task) {
   planning_.stop = scene_thread_.run([this, work = scene_work_, clip = state_.clip, limb, task,
                                       ticket = planning_.ticket,
                                       mailbox = mailbox_](const std::stop_token& stop) {
-    if (!work->ready() || stop.stop_requested()) return;
+    if (stop.stop_requested()) return;
+    if (!work->ready()) {
+      mailbox->post([this, ticket] {
+        if (ticket != planning_.ticket) return;
+        state_.planning.active = false;
+        tell(Notice::Kind::error, {"the scene's contacts are not known, so nothing can be planned",
+                                   "", "the messages before this one say why"});
+      });
+      return;
+    }
     const auto progress = [&](const Progress& p) {
       mailbox->post([this, ticket, p, task_limb = task.limb] {
         if (ticket != planning_.ticket) return;
@@ -176,15 +212,16 @@ void Editor::start_plan(int limb, Task task) {
     };
     auto outcome = work->plan(clip, limb, task, stop, progress);
     mailbox->post([this, ticket, clip, outcome = std::move(outcome)] {
-      if (ticket != planning_.ticket || clip != state_.clip) return;
+      if (ticket != planning_.ticket) return;
       state_.planning.active = false;
+      if (clip != state_.clip) return;
       state_.candidate = outcome.candidate;
       state_.failure = outcome.failure;
       if (outcome.error) tell(Notice::Kind::error, *outcome.error);
       refresh_time();
     });
   });
-  if (scan_again) look_for_contacts({});
+  if (scan_again) look_for_contacts();
 }
 
 void Editor::cancel_plan() {
