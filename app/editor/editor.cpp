@@ -55,21 +55,26 @@ bool usable_sampling(const LimbModel* limb, const command::SetSampling& wanted) 
 
 }  // namespace
 
-std::string limb_title(const std::string& limb) {
-  std::string title = limb;
-  if (limb == limb_id(LimbKind::left_arm) || limb == limb_id(LimbKind::right_arm) ||
-      limb == limb_id(LimbKind::left_leg) || limb == limb_id(LimbKind::right_leg)) {
-    std::replace(title.begin(), title.end(), '_', ' ');
-    title[0] = static_cast<char>(title[0] - 'a' + 'A');
-  }
-  return title;
-}
-
 Editor::Editor(std::function<void()> wake)
     : mailbox_(std::make_shared<Mailbox>(std::move(wake))),
       scene_work_(std::make_shared<SceneWork>()),
-      target_work_(std::make_shared<TargetWork>()) {
+      target_work_(std::make_shared<TargetWork>()),
+      files_thread_(job_failure()),
+      scene_thread_(job_failure()),
+      target_thread_(job_failure()) {
   refresh();
+}
+
+// What becomes of a job that has thrown: nothing of it is waited for any more.
+std::function<void(std::string)> Editor::job_failure() {
+  return [this, mailbox = mailbox_](const std::string& what) {
+    mailbox->post([this, what] {
+      for (JobState* job : {&state_.opening, &state_.scanning, &state_.planning, &state_.exporting})
+        job->active = false;
+      tell(Notice::Kind::error, {"a computation in the background has failed: " + what, "",
+                                 "save the project, then try again"});
+    });
+  };
 }
 
 Editor::~Editor() {
@@ -228,6 +233,7 @@ void Editor::set_time(double t) {
   t = std::clamp(t, state_.begin, state_.end);
   if (t == state_.time) return;
   state_.time = t;
+  ++state_.picture_version;
   refresh_time();
   changed_ = true;
 }
@@ -235,8 +241,10 @@ void Editor::set_time(double t) {
 bool Editor::update(double now) {
   now_ = now;
   for (const auto& letter : mailbox_->collect()) {
+    letter_shows_ = true;
     letter();
     changed_ = true;
+    if (letter_shows_) ++state_.picture_version;
   }
   if (state_.playing) {
     if (played_at_ >= 0) {
@@ -256,7 +264,6 @@ bool Editor::update(double now) {
        {std::pair(&state_.opening, &opening_), std::pair(&state_.scanning, &scanning_),
         std::pair(&state_.planning, &planning_), std::pair(&state_.exporting, &exporting_)})
     if (job->active) job->seconds = now - running->began;
-  if (changed_) ++picture_version_;
   return std::exchange(changed_, false);
 }
 
@@ -348,9 +355,12 @@ void Editor::handle(const Command& command) {
           return document.corrections[static_cast<std::size_t>(index)].name;
         };
         if constexpr (std::is_same_v<T, cmd::OpenFiles>) {
-          open_files(c.paths);
+          open_files(c.paths, c.as_objects);
         } else if constexpr (std::is_same_v<T, cmd::OpenDemo>) {
           open_demo();
+        } else if constexpr (std::is_same_v<T, cmd::AnswerOpening>) {
+          const auto pending = std::exchange(pending_opening_, nullptr);
+          if (c.open && pending) pending();
         } else if constexpr (std::is_same_v<T, cmd::SaveProject>) {
           save(c.path);
         } else if constexpr (std::is_same_v<T, cmd::Export>) {
@@ -430,6 +440,7 @@ void Editor::handle(const Command& command) {
         } else if constexpr (std::is_same_v<T, cmd::Discard>) {
           state_.candidate.reset();
           state_.failure.reset();
+          keep_replanned();
           refresh_time();
         } else if constexpr (std::is_same_v<T, cmd::SelectCorrection>) {
           if (has_correction(c.index)) state_.selected_correction = c.index;
@@ -478,7 +489,7 @@ void Editor::handle(const Command& command) {
       },
       command);
   changed_ = true;
-  ++picture_version_;
+  ++state_.picture_version;
 }
 
 }  // namespace elbowroom

@@ -112,25 +112,34 @@ void Editor::look_for_contacts() {
   });
 }
 
-// The window put right: two frames long at least, inside the clip. None for what is no window.
+// The window put right: two frames long at least, inside the clip, its ends float32 as keys are.
+// None for what is no window, and for a clip too short to have one.
 std::optional<Interval> Editor::within_clip(Interval window) const {
   if (!std::isfinite(window.lower) || !std::isfinite(window.upper)) return std::nullopt;
   if (window.lower > window.upper) std::swap(window.lower, window.upper);
   const double least = std::min(2 / state_.frame_rate, state_.end - state_.begin);
   window.lower = std::max(state_.begin, std::min(window.lower, state_.end - least));
   window.upper = std::min(state_.end, std::max(window.upper, window.lower + least));
+  window.lower = static_cast<double>(static_cast<float>(window.lower));
+  window.upper = static_cast<double>(static_cast<float>(window.upper));
+  if (!(window.lower < window.upper)) return std::nullopt;
   return window;
 }
 
 void Editor::set_window(const command::SetWindow& wanted) {
-  if (!state_.source || state_.limb < 0) return;
+  const int limb = wanted.limb < 0 ? state_.limb : wanted.limb;
+  if (!state_.source || limb < 0 || limb >= static_cast<int>(session_->limbs.size())) return;
   std::optional<Interval> window;
   if (wanted.window) {
     window = within_clip(*wanted.window);
     if (!window) return;
   }
   edit(window ? "Set window" : "Clear window", wanted.phase,
-       [&](Document& document) { document.draft.window = window; });
+       [&, name = session_->limbs[static_cast<std::size_t>(limb)].limb.name](Document& document) {
+         if (document.draft.limb != name) document.draft.target.reset();
+         document.draft.limb = name;
+         document.draft.window = window;
+       });
 }
 
 void Editor::plan() {
@@ -177,6 +186,7 @@ void Editor::plan() {
       draft.window = history_.document().draft.window;
     }
     task.window = draft.window;
+    task.even_if_free = true;  // it was asked for by hand
     task.name = with_window(limb_title(task.limb), *task.window);
   }
   start_plan(state_.limb, std::move(task));
@@ -186,6 +196,7 @@ void Editor::start_plan(int limb, Task task) {
   task.name = unique_name(history_.document(), task.name);
   state_.failure.reset();
   state_.candidate.reset();
+  refresh_time();
   // A scan that is under way waits: the plan is what somebody is looking at.
   const bool scan_again = state_.scanning.active && state_.scanning.what == "Looking for contacts";
   if (scan_again) scanning_.stop.request_stop();
@@ -205,6 +216,7 @@ void Editor::start_plan(int limb, Task task) {
     }
     const auto progress = [&](const Progress& p) {
       mailbox->post([this, ticket, p, task_limb = task.limb] {
+        letter_shows_ = false;
         if (ticket != planning_.ticket) return;
         state_.planning.fraction = p.fraction;
         state_.planning.what = limb_title(task_limb) + ": " + p.phase;
@@ -217,6 +229,10 @@ void Editor::start_plan(int limb, Task task) {
       if (clip != state_.clip) return;
       state_.candidate = outcome.candidate;
       state_.failure = outcome.failure;
+      if (!outcome.candidate) {
+        keep_replanned();
+        state_.failure = outcome.failure;
+      }
       if (outcome.error) tell(Notice::Kind::error, *outcome.error);
       refresh_time();
     });
@@ -228,10 +244,22 @@ void Editor::cancel_plan() {
   planning_.stop.request_stop();
   planning_.ticket = next_ticket_++;
   state_.planning.active = false;
+  keep_replanned();
+}
+
+// A correction that was to be planned anew and has no better motion stays what it was.
+void Editor::keep_replanned() {
+  if (replan_step_.empty()) return;
+  if (history_.undo_name() == replan_step_) {
+    history_.undo();
+    document_changed();
+  }
+  replan_step_.clear();
 }
 
 void Editor::accept() {
   if (!state_.candidate) return;
+  replan_step_.clear();
   const Candidate candidate = *state_.candidate;
   edit("Accept " + candidate.task.name, Phase::committed, [&](Document& document) {
     document.tasks.push_back(candidate.task);
@@ -239,8 +267,11 @@ void Editor::accept() {
     correction.name = candidate.task.name;
     correction.task = candidate.task.name;
     document.corrections.push_back(std::move(correction));
-    document.draft.window.reset();
-    document.draft.target.reset();
+    // What has been done is no draft any more; what is prepared for another limb stays.
+    if (document.draft.limb == candidate.task.limb) {
+      document.draft.window.reset();
+      document.draft.target.reset();
+    }
   });
   state_.candidate.reset();
   state_.selected_correction = static_cast<int>(history_.document().corrections.size()) - 1;
@@ -261,7 +292,8 @@ void Editor::replan(int index) {
       target = task.target;
       wishes = task.wishes;
     }
-  edit("Replan " + correction.name, Phase::committed, [&](Document& changed) {
+  replan_step_ = "Replan " + correction.name;
+  edit(replan_step_, Phase::committed, [&](Document& changed) {
     changed.corrections.erase(changed.corrections.begin() + index);
     std::erase_if(changed.tasks, [&](const Task& task) {
       return task.name == correction.task && !correction.task.empty();

@@ -368,7 +368,10 @@ Status run_editor(const WindowOptions& options) {
   settings.view = window.editor().view();
   settings.recent_files = window.editor().recent_files();
   glfwGetWindowSize(glfw.window, &settings.window_width, &settings.window_height);
-  return write_settings(settings_path, settings);
+  // Settings that can't be kept are no reason for a session to have failed.
+  if (Status kept = write_settings(settings_path, settings); !kept)
+    std::fprintf(stderr, "elbowroom: %s\n", kept.error().message().c_str());
+  return Done{};
 }
 
 }  // namespace elbowroom
