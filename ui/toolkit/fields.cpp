@@ -109,9 +109,10 @@ Edit number_input(Ui& ui, std::string_view label, double& value, const NumberOpt
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImGuiID id = ImGui::GetID("##number");
-  // [0] 1 while typing, [1] value at the beginning, [2] 1 while dragged, [3] frames typed
+  // [0] 1 while typing, [1] value at the beginning, [2] 1 while dragged, [3] frames typed,
+  // [4] the value dragged to: the caller may round what it is given
   std::vector<double>& memory = ui.memory(id);
-  if (memory.size() != 4) memory.assign(4, 0);
+  if (memory.size() != 5) memory.assign(5, 0);
   const std::string text = number_text(value * per, options.decimals, options.unit);
   ImGuiIO& io = ImGui::GetIO();
 
@@ -162,6 +163,7 @@ Edit number_input(Ui& ui, std::string_view label, double& value, const NumberOpt
     if (ImGui::IsItemActive() && !type) {
       if (memory[2] == 0 && ImGui::IsMouseDragging(0, ui.px(3))) {
         memory[2] = 1;
+        memory[4] = value;
         edit.began = true;
       }
       if (memory[2] == 1) {
@@ -170,9 +172,8 @@ Edit number_input(Ui& ui, std::string_view label, double& value, const NumberOpt
                                   ? options.drag_step
                                   : std::pow(10.0, -std::clamp(options.decimals, 0, 12));
           const double speed = io.KeyShift ? 0.1 : io.KeyCtrl ? 10.0 : 1.0;
-          value = put_right(value + static_cast<double>(io.MouseDelta.x) /
-                                        static_cast<double>(ui.scale()) * step * speed / per,
-                            options);
+          const double by = static_cast<double>(io.MouseDelta.x) / static_cast<double>(ui.scale());
+          value = memory[4] = put_right(memory[4] + by * step * speed / per, options);
           edit.changed = value != given;
         }
       }
@@ -190,7 +191,7 @@ Edit number_input(Ui& ui, std::string_view label, double& value, const NumberOpt
       value = reset;
     }
     if (type && options.enabled) {
-      memory = {1, value, 0, 0};
+      memory = {1, value, 0, 0, 0};
       ImGui::ClearActiveID();
     }
     ImGui::EndDisabled();

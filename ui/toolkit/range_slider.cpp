@@ -263,7 +263,8 @@ Edit range_slider(Ui& ui, std::string_view name, RangeModel& m, const RangeOptio
       const double fine = io.KeyShift ? 0.1 : 1.0;
       const double delta =
           (static_cast<double>(mouse) - kept[kStartMouse]) * track.values_a_pixel() * fine;
-      const double step = unit_step * fine;
+      // Back where it was gripped it is what it was, whole step or not.
+      const double step = delta == 0 ? 0 : unit_step * fine;
       if (grip == kLow) {
         m.low = std::clamp(snapped(kept[kStartLow] + delta, step), m.limit_low, m.high);
       } else if (grip == kHigh) {

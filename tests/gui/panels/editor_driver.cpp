@@ -51,7 +51,7 @@ void EditorDriver::draw(Ui& toolkit) {
   panels.draw(toolkit, editor.state(), editor.view(), commands);
   ui.keep_messages_above(panels.viewport().max.y);
   said.insert(said.end(), commands.begin(), commands.end());
-  editor.handle(commands);
+  if (carry_out) editor.handle(commands);
   panels.frame(editor.state(), editor.view(), static_cast<double>(toolkit.scale()));
 }
 

@@ -25,6 +25,7 @@ class ScratchFolder {
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
  private:
@@ -70,7 +71,8 @@ class EditorDriver {
   Editor editor;
   EditorUi panels;
   UiDriver ui;
-  Commands said;  // by the panels, since it was cleared last
+  Commands said;          // by the panels, since it was cleared last
+  bool carry_out = true;  // what the panels say; false: it is only written down
 
  private:
   void draw(Ui& toolkit);
