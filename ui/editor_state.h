@@ -58,6 +58,8 @@ struct Candidate {
   Task task;
   Correction correction;
   WindowReport report;
+  double scene_clearance = 0;        // least room from all that is not the character, at most
+                                     // kStripReach × height
   std::shared_ptr<const Clip> clip;  // the document's motion with it
 };
 

@@ -79,7 +79,7 @@ const Frame& SceneFrame::make(const EditorState& state, const ViewState& view, d
   if (!before) {
     if (state.candidate)
       add_candidate(state);
-    else if (view.compare == Compare::both)
+    else if (view.compare == Compare::both && !state.document->draft.target)
       add_source_ghost(state);
     add_target(state);
   }

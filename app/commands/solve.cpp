@@ -22,9 +22,21 @@ int run_solve(const SolveOptions& options, std::stop_token stop) {
   auto scene = contacts_of(*session);
   if (!scene) return refuse(scene.error(), options.report);
 
+  // A task all of whose corrections the animator has muted is passed over.
+  const auto muted = [&](const Task& task) {
+    bool any = false;
+    for (const Correction& correction : document->corrections) {
+      if (task.name.empty() || correction.task != task.name) continue;
+      if (!correction.muted) return false;
+      any = true;
+    }
+    return any;
+  };
+
   CorrectionOutcome whole;
   whole.clip = session->clip();
   for (const auto& task : document->tasks) {
+    if (muted(task)) continue;
     auto outcome = solve_task(*scene, *session, task, stop, progress);  // on the last one's clip
     if (!outcome) return refuse(outcome.error(), options.report);
     for (const auto& contact : outcome->before) whole.before.push_back(contact);

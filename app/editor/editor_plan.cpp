@@ -168,10 +168,10 @@ void Editor::start_plan(int limb, Task task) {
                                       mailbox = mailbox_](const std::stop_token& stop) {
     if (!work->ready() || stop.stop_requested()) return;
     const auto progress = [&](const Progress& p) {
-      mailbox->post([this, ticket, p] {
+      mailbox->post([this, ticket, p, task_limb = task.limb] {
         if (ticket != planning_.ticket) return;
         state_.planning.fraction = p.fraction;
-        state_.planning.what = p.phase;
+        state_.planning.what = limb_title(task_limb) + ": " + p.phase;
       });
     };
     auto outcome = work->plan(clip, limb, task, stop, progress);

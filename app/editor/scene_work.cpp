@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/editor/scene_work.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/editing/plan_window.h"
@@ -83,6 +84,17 @@ PlanOutcome SceneWork::plan(std::shared_ptr<const Clip> clip, int limb, const Ta
   candidate.correction = std::move(*correction);
   candidate.report = std::move(report);
   candidate.clip = std::make_shared<const Clip>(std::move(*laid));
+  scene_->set_clip(candidate.clip);
+  candidate.scene_clearance = kStripReach * scene_->height();
+  const double begin = candidate.task.window->lower, end = candidate.task.window->upper;
+  const int samples = std::max(1, static_cast<int>((end - begin) * kStripRate));
+  for (int i = 0; i <= samples; ++i) {
+    if (stop.stop_requested()) return outcome;
+    candidate.scene_clearance =
+        std::min(candidate.scene_clearance,
+                 scene_->limb_clearance_from_scene(begin + (end - begin) * i / samples, limb,
+                                                   candidate.scene_clearance));
+  }
   outcome.candidate = std::move(candidate);
   return outcome;
 }

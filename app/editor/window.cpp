@@ -13,10 +13,12 @@
 #include <cstdio>
 #include <fstream>
 #include <memory>
+#include <optional>
 
 #include "app/editor/editor.h"
 #include "app/editor/key_names.h"
 #include "app/editor/settings.h"
+#include "app/editor/window_input.h"
 #include "render/quality.h"
 #include "render/scene_renderer.h"
 #include "ui/actions.h"
@@ -54,39 +56,6 @@ class Glfw {
  private:
   bool ready_ = false;
 };
-
-// What callbacks leave for the loop.
-struct Input {
-  int events = 0;
-  double first_event = -1;  // time of the oldest one that no frame has shown yet
-  std::vector<std::filesystem::path> dropped;
-
-  void note() {
-    ++events;
-    if (first_event < 0) first_event = glfwGetTime();
-  }
-};
-
-Input& input_of(GLFWwindow* window) {
-  return *static_cast<Input*>(glfwGetWindowUserPointer(window));
-}
-
-void watch_events(GLFWwindow* window) {
-  glfwSetKeyCallback(window, [](GLFWwindow* w, int, int, int, int) { input_of(w).note(); });
-  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { input_of(w).note(); });
-  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { input_of(w).note(); });
-  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { input_of(w).note(); });
-  glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { input_of(w).note(); });
-  glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { input_of(w).note(); });
-  glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { input_of(w).note(); });
-  glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { input_of(w).note(); });
-  glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { input_of(w).note(); });
-  glfwSetWindowCloseCallback(window, [](GLFWwindow* w) { input_of(w).note(); });
-  glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
-    for (int i = 0; i < count; ++i) input_of(w).dropped.emplace_back(paths[i]);
-    input_of(w).note();
-  });
-}
 
 Style viewport_style(bool light) {
   Style style;
@@ -154,7 +123,7 @@ class EditorWindow {
 
   Editor& editor() { return editor_; }
 
-  void run(Input& input, std::ofstream* log, const std::filesystem::path& widget_log) {
+  void run(WindowInput& input, std::ofstream* log, const std::filesystem::path& widget_log) {
     int frames = kFramesAfterAnEvent;
     std::string title;
     while (true) {
@@ -183,7 +152,7 @@ class EditorWindow {
       const int events = std::exchange(input.events, 0);
       input.first_event = -1;
       if (frames > 0) --frames;
-      frame(events > 0);
+      frame(input, events > 0);
       const double end = glfwGetTime();
       if (log)
         *log << start << ' ' << (asked >= 0 ? (end - asked) * 1e3 : -1.0) << ' '
@@ -226,13 +195,25 @@ class EditorWindow {
   }
 
   // `asked`: somebody has done something since the last one.
-  void frame(bool asked) {
+  void frame(WindowInput& input, bool asked) {
+    ImGuiIO& io = ImGui::GetIO();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    // Dear ImGui sees the state of keys and mouse once a frame. A key that is up again already, or
+    // a button that went down before the mouse moved on, is shown to it all the same.
+    const std::vector<WindowInput::Key> pressed = std::exchange(input.keys, {});
+    std::vector<int> held;
+    for (const WindowInput::Key& key : pressed)
+      if (key.key < static_cast<int>(std::size(io.KeysDown)) && !io.KeysDown[key.key]) {
+        io.KeysDown[key.key] = true;
+        held.push_back(key.key);
+      }
+    if (const auto at = std::exchange(input.pressed_at, std::nullopt)) io.MousePos = *at;
     ImGui::NewFrame();
+    for (const int key : held) io.KeysDown[key] = false;
     ui_->begin_frame();
     Commands commands;
-    keys(commands);
+    keys(pressed, commands);
     editor_ui_.draw(*ui_, editor_.state(), editor_.view(), commands);
     ui_->end_frame(editor_ui_.viewport().max.y);
     ImGui::Render();
@@ -319,19 +300,17 @@ class EditorWindow {
     std::filesystem::rename(fresh, file, ignored);
   }
 
-  // Shortcuts, unless a text is being typed.
-  void keys(Commands& commands) {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantTextInput || editor_.view().dialog != Dialog::none) return;
-    for (int key = 0; key <= GLFW_KEY_LAST; ++key) {
-      if (!ImGui::IsKeyPressed(key, true)) continue;
-      Shortcut pressed = shortcut_of_glfw(key);
-      if (pressed.key == Shortcut::none) continue;
-      pressed.ctrl = io.KeyCtrl;
-      pressed.shift = io.KeyShift;
-      pressed.alt = io.KeyAlt;
-      pressed.repeats = !ImGui::IsKeyPressed(key, false);
-      press(pressed, editor_.state(), editor_.view(), commands);
+  // Shortcuts, unless a text is being typed or a dialog has the word.
+  void keys(const std::vector<WindowInput::Key>& pressed, Commands& commands) {
+    if (ImGui::GetIO().WantTextInput || editor_.view().dialog != Dialog::none) return;
+    for (const WindowInput::Key& key : pressed) {
+      Shortcut shortcut = shortcut_of_glfw(key.key);
+      if (shortcut.key == Shortcut::none) continue;
+      shortcut.ctrl = (key.modifiers & GLFW_MOD_CONTROL) != 0;
+      shortcut.shift = (key.modifiers & GLFW_MOD_SHIFT) != 0;
+      shortcut.alt = (key.modifiers & GLFW_MOD_ALT) != 0;
+      shortcut.repeats = key.repeated;
+      press(shortcut, editor_.state(), editor_.view(), commands);
     }
   }
 
@@ -382,9 +361,8 @@ Status run_editor(const WindowOptions& options) {
 
   std::ofstream log;
   if (!options.frame_log.empty()) log.open(options.frame_log);
-  Input input;
-  glfwSetWindowUserPointer(glfw.window, &input);
-  watch_events(glfw.window);
+  WindowInput input;
+  watch_events(glfw.window, input);
   EditorWindow window(glfw.window, std::move(*renderer), settings);
   if (options.files.empty())
     window.editor().handle(command::OpenDemo{});

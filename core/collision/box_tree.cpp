@@ -291,29 +291,9 @@ class Builder {
   std::vector<std::uint32_t> order_;
 };
 
-}  // namespace
-
-BoxTree build_box_tree(std::span<const glm::vec3> positions,
-                       std::span<const glm::uvec3> triangles) {
-  BoxTree tree;
-  if (triangles.empty()) return tree;
-  place_origin(tree, positions, triangles);
-  std::vector<Bounds> bounds(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    bounds[i] = triangle_bounds(tree.origin, positions, triangles[i]);
-  }
-  Builder(tree, std::move(bounds)).run();
-  tree.nodes.shrink_to_fit();
-  tree.low.resize(tree.nodes.size());
-  tree.high.resize(tree.nodes.size());
-  tree.normals.resize(tree.nodes.size());
-  refit_box_tree(tree, positions, triangles);
-  return tree;
-}
-
-void refit_box_tree(BoxTree& tree, std::span<const glm::vec3> positions,
-                    std::span<const glm::uvec3> triangles) {
-  if (tree.empty()) return;
+// Boxes and slabs of a tree whose shape stands.
+void fit(BoxTree& tree, std::span<const glm::vec3> positions,
+         std::span<const glm::uvec3> triangles) {
   place_origin(tree, positions, triangles);
   for (std::size_t n = tree.nodes.size(); n-- > 0;) {
     BoxTree::Node& node = tree.nodes[n];
@@ -356,6 +336,54 @@ void refit_box_tree(BoxTree& tree, std::span<const glm::vec3> positions,
     tree.low[n] = all.low;
     tree.high[n] = all.high;
     tree.normals[n] = all_normals;
+  }
+  set_center_half(tree.low[0], tree.high[0], tree.root_center, tree.root_half, 1);
+}
+
+}  // namespace
+
+BoxTree build_box_tree(std::span<const glm::vec3> positions,
+                       std::span<const glm::uvec3> triangles) {
+  BoxTree tree;
+  if (triangles.empty()) return tree;
+  place_origin(tree, positions, triangles);
+  std::vector<Bounds> bounds(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    bounds[i] = triangle_bounds(tree.origin, positions, triangles[i]);
+  }
+  Builder(tree, std::move(bounds)).run();
+  tree.nodes.shrink_to_fit();
+  tree.low.resize(tree.nodes.size());
+  tree.high.resize(tree.nodes.size());
+  tree.normals.resize(tree.nodes.size());
+  fit(tree, positions, triangles);
+  return tree;
+}
+
+void refit_box_tree(BoxTree& tree, std::span<const glm::vec3> positions,
+                    std::span<const glm::uvec3> triangles) {
+  if (tree.empty()) return;
+  place_origin(tree, positions, triangles);
+  for (std::size_t n = tree.nodes.size(); n-- > 0;) {
+    BoxTree::Node& node = tree.nodes[n];
+    Bounds all;
+    for (int i = 0; i < node.count; ++i) {
+      const BoxTree::Ref ref = node.child[i];
+      Bounds b;
+      if (BoxTree::is_triangle(ref)) {
+        b = triangle_bounds(tree.origin, positions, triangles[BoxTree::triangle_of(ref)]);
+      } else {
+        const auto child = static_cast<std::size_t>(ref);
+        b.low = tree.low[child];
+        b.high = tree.high[child];
+      }
+      for (int k = 0; k < 3; ++k) node.normal[k][i] = 0;
+      node.middle[i] = node.thickness[i] = 0;
+      set_slot(node, i, b.low, b.high);
+      all.add(b);
+    }
+    tree.low[n] = all.low;
+    tree.high[n] = all.high;
   }
   set_center_half(tree.low[0], tree.high[0], tree.root_center, tree.root_half, 1);
 }

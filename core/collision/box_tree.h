@@ -60,7 +60,8 @@ struct BoxTree {
 // O(n log n); deterministic.
 BoxTree build_box_tree(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles);
 
-// The same tree around new positions of the same triangles. O(n), allocates nothing.
+// The same tree around new positions of the same triangles, by boxes alone: skin is refit for a
+// question or two, and slabs would cost more than they save. O(n), allocates nothing.
 void refit_box_tree(BoxTree& tree, std::span<const glm::vec3> positions,
                     std::span<const glm::uvec3> triangles);
 

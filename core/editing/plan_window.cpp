@@ -18,7 +18,8 @@
 namespace elbowroom {
 namespace {
 
-constexpr double kVerifyRate = 240;  // Hz (DESIGN.md, "Results must meet")
+constexpr double kVerifyRate = 240;        // Hz (DESIGN.md, "Results must meet")
+constexpr std::size_t kVerifyStride = 32;  // samples between two words of progress
 constexpr int kRandomTimes = 1000;
 constexpr std::uint64_t kPartSeed = 15485863;
 constexpr double kLeastKeyRate = 60;     // Hz
@@ -69,7 +70,7 @@ std::string at_time(double t) {
 // The first contact over the verification times, or an empty string. Lowers min_clearance.
 std::string verify(WindowProblem& p, const std::shared_ptr<const Clip>& clip,
                    const std::vector<float>& keys, std::uint64_t seed, const std::stop_token& stop,
-                   double& min_clearance) {
+                   const ProgressSink& progress, double& min_clearance) {
   SceneCollision& scene = *p.scene;
   scene.set_clip(clip);
   const double touching = scene.settings().epsilon * scene.height();
@@ -83,8 +84,11 @@ std::string verify(WindowProblem& p, const std::shared_ptr<const Clip>& clip,
     for (const float t : channel.times)
       if (t > p.begin && t < p.end) all_keys.push_back(t);
   const auto times = verification_times(p.begin, p.end, all_keys, steps, seed);
-  for (const double t : times) {
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double t = times[i];
     if (stop.stop_requested()) return "cancelled";
+    if (progress && i % kVerifyStride == 0)
+      progress({"checking the skin", static_cast<double>(i) / static_cast<double>(times.size())});
     if (scene.limb_in_contact(t, p.limb_index, touching)) {
       std::vector<ContactSample> contacts;
       scene.contacts_at(t, p.limb_index, false, contacts);
@@ -270,7 +274,7 @@ bool plan_and_verify(WindowProblem& p, const Attempt& attempt, const PlanningWis
   candidate.clip = std::make_shared<const Clip>(std::move(*laid));
   report.min_clearance = kClearanceReach * p.scene->height();
   const std::string hit = verify(p, candidate.clip, correction.joints.front().keys.times, seed,
-                                 stop, report.min_clearance);
+                                 stop, progress, report.min_clearance);
   p.scene->set_clip(p.clip);
   report.verify_ms += ms_since(verify_start);
   if (!hit.empty()) {

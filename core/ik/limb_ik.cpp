@@ -249,7 +249,8 @@ bool LimbIk::may_reach(const IkTarget& target) const {
 
 // Sets the angle about bend.axis that brings the end to `distance` from the root; returns by how
 // much the distance is beyond reach (in the root parent's units), with sign. Of the two solutions
-// it is the one on the side of `near` from the stretched one for sense 0, else the other.
+// it is the one bent in the positive sense from the stretched limb for sense 0, else the other; of
+// its turns the one nearest to `near`.
 //
 // With u the axis, w the bone, g = (root_from_zero)ᵀ · middle_offset and s the scale,
 //   |end|² = |middle_offset|² + s² |w|² + 2 g · Rot(u, θ) w,
@@ -275,8 +276,7 @@ double LimbIk::bend_to(double distance, int sense, double near, Bend& bend) cons
   const double stretched = std::atan2(b, a);
   const double cosine = (0.5 * (distance * distance - fixed)) / amplitude;
   const double away = std::acos(std::clamp(cosine, -1.0, 1.0));
-  const bool positive = (std::remainder(near - stretched, 2 * kPi) >= 0) == (sense == 0);
-  bend.angle = nearest_turn(stretched + (positive ? away : -away), near);
+  bend.angle = nearest_turn(stretched + (sense == 0 ? away : -away), near);
   if (uniform_) {
     if (std::abs(cosine) <= 1) {
       if (!exactly_uniform_) bend_by_newton(distance, bend);
@@ -309,11 +309,10 @@ double LimbIk::bend_middle(double distance, int sense, const Dofs& near, Bend& b
   const double near_angle = bend.angle;
   if (middle.kind != JointModelKind::ball) return bend_to(distance, sense, near_angle, bend);
   const double sideways = middle.side * near[middle.first_dof];
-  const double direction = (near_angle >= 0) == (sense == 0) ? 1 : -1;
   double miss = 0;
   bend.axis = Vec3(0, 0, 1);
   for (int i = 0; i < 8; ++i) {
-    miss = bend_to(distance, 0, 0.5 * direction, bend);
+    miss = bend_to(distance, sense, 0, bend);
     bend.angle = std::remainder(bend.angle, 2 * kPi);
     const double sine = bend.angle != 0 ? sideways / bend.angle : 0.0;
     const double y = std::clamp(sine, -1.0, 1.0);

@@ -55,7 +55,7 @@ struct IkSolutions {
     // How far the target is beyond (or within) what the bones reach, scene units; 0: reached. The
     // posture is then that which comes nearest along the target's direction.
     double miss = 0;
-    int sense = 0;  // 0: bends as `near` does, 1: the other way. Continuous in the swivel
+    int sense = 0;  // 0: flexed (the positive way), 1: the other. Continuous in the swivel
   };
   std::array<One, 2> one;
   int count = 0;

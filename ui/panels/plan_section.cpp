@@ -17,7 +17,7 @@ void candidate_card(const PanelContext& context) {
   Ui& ui = context.ui;
   heading(ui, "Plan", "found in " + number_text(report.total_ms, 0, "ms"));
   std::vector<CardRow> rows = {
-      {"clearance", length_text(report.min_clearance)},
+      {"clearance in the scene", length_text(candidate.scene_clearance)},
       {"from the clip, at most", degrees_text(report.deviation_from_clip)},
       {"peak speed", number_text(report.peak_speed, 1, "rad/s")},
       {"free at every key and 240 Hz", "", Tone::good, true},
@@ -98,8 +98,8 @@ void draw_plan_section(const PanelContext& context) {
     ImGui::SameLine(0, ui.px(ui.theme().metrics.gap));
     ButtonOptions seed;
     seed.icon = Icon::refresh;
-    seed.hint = "Plan with another seed: another way around, if there is one";
-    if (button(ui, "Seed " + std::to_string(wishes.seed) + "###Seed", seed)) {
+    seed.hint = "The seed; click to plan with the next one: another way around, if there is one";
+    if (button(ui, std::to_string(wishes.seed) + "###Seed", seed)) {
       ++wishes.seed;
       context.emit(command::SetWishes{wishes, "Seed " + std::to_string(wishes.seed)});
       context.emit(command::Plan{});

@@ -9,7 +9,7 @@
 namespace elbowroom {
 namespace {
 
-constexpr int kTargets = 400;  // for each limb; the long tier has 100,000 for each rig
+constexpr int kTargets = 250;  // for each limb; the long tier has 100,000 for each rig
 
 void expect_good(const test::TargetCounts& counts, const std::string& name) {
   std::printf("%-40s %s\n", name.c_str(), test::summary(counts).c_str());

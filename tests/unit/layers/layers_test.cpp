@@ -66,6 +66,17 @@ TEST(Layers, RenderKnowsNoWindow) {
   expect_no_include("render", {"GLFW/", "imgui", "ui/", "app/", "tests/"});
 }
 
+TEST(Layers, PanelsKnowNoWindow) {
+  expect_no_include("ui", {"GLFW/", "GL/", "epoxy/", "EGL/", "backends/", "app/", "tests/"});
+}
+
+TEST(Layers, TheToolkitKnowsNothingOfTheEditor) {
+  expect_no_include(
+      "ui/toolkit",
+      {"core/animation", "core/anatomy", "core/collision", "core/editing", "core/ik", "core/io",
+       "core/planning", "core/scene", "render/", "ui/panels", "ui/editor", "ui/commands"});
+}
+
 TEST(Layers, ThePlannerKnowsNoCharacter) {
   expect_no_include("core/planning", {"core/animation", "core/scene", "core/anatomy",
                                       "core/collision", "core/editing", "core/io"});

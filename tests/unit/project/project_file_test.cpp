@@ -95,6 +95,55 @@ TEST_F(ProjectFile, EverythingComesBackToTheBit) {
   }
 }
 
+TEST_F(ProjectFile, ReachesAndTheDraftComeBackWhole) {
+  Document document = full_document(folder_);
+  Task reach;
+  reach.kind = TaskKind::reach;
+  reach.name = "to the shelf";
+  reach.limb = "left_arm";
+  HandTarget target;
+  target.time = 1.0 / 3.0;
+  target.position = {0.1, -2.5e-7, 1e3};
+  target.orientation = glm::normalize(Quat(0.3, -0.2, 0.9, 0.1));
+  reach.target = target;
+  document.tasks.push_back(reach);
+  document.corrections[0].task = "past the post";
+  document.draft.limb = "right_leg";
+  document.draft.window = Interval{0.25, 0.75};
+  target.orientation.reset();
+  target.grasp = true;
+  document.draft.target = target;
+  document.draft.wishes["right_leg"].seed = 9;
+  document.draft.wishes["right_leg"].sampling["Knee, flexion"] = {0.1, 1.1};
+  ASSERT_TRUE(write_project(folder_ / "p.elbow", document).ok());
+  const auto read = read_project(folder_ / "p.elbow");
+  ASSERT_TRUE(read.ok()) << read.error().message();
+  EXPECT_EQ(read->draft, document.draft);
+  EXPECT_EQ(read->tasks[0], document.tasks[0]);
+  EXPECT_EQ(read->tasks[1], document.tasks[1]);
+  // A quaternion is made unit again when it is read: to the last bit, not beyond.
+  EXPECT_EQ(read->tasks[2].target->position, reach.target->position);
+  EXPECT_EQ(read->tasks[2].target->time, reach.target->time);
+  EXPECT_LT(angle_between(*read->tasks[2].target->orientation, *reach.target->orientation), 1e-12);
+  EXPECT_EQ(read->corrections, document.corrections);
+}
+
+TEST_F(ProjectFile, DamagedTargetsAreNamed) {
+  ASSERT_TRUE(write_project(folder_ / "p.elbow", full_document(folder_)).ok());
+  nlohmann::json root = saved();
+  root["tasks"][0]["kind"] = "reach";  // and no target
+  put(root.dump());
+  auto read = read_project(folder_ / "p.elbow");
+  ASSERT_FALSE(read.ok());
+  EXPECT_NE(read.error().message().find("target"), std::string::npos) << read.error().message();
+  root["tasks"][0]["target"] = {{"time", 1}, {"position", {1, 2}}};
+  put(root.dump());
+  read = read_project(folder_ / "p.elbow");
+  ASSERT_FALSE(read.ok());
+  EXPECT_NE(read.error().message().find("/tasks/0/target/position"), std::string::npos)
+      << read.error().message();
+}
+
 TEST_F(ProjectFile, PathsAreRelativeToTheFile) {
   ASSERT_TRUE(write_project(folder_ / "p.elbow", full_document(folder_)).ok());
   EXPECT_EQ(saved()["scene"]["character"], "ada.glb");
