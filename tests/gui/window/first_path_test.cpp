@@ -22,7 +22,8 @@ class FirstPath : public WindowTest {
   }
   std::string correction_row() {
     for (const auto& widget : editor().widgets())
-      if (widget.kind == "row" && widget.path.rfind("Outliner/Right arm ", 0) == 0)
+      if (widget.kind == "row" &&
+          widget.path.rfind("Outliner/Right arm ", 0) == 0)  // "Right arm 1.18–2.47 s"
         return widget.path;
     return {};
   }
@@ -71,13 +72,13 @@ TEST_F(FirstPath, ByMouseFromTheDemoToAFreeClip) {
   EXPECT_TRUE(first == bytes_of(again)) << "the project brought back another motion";
 
   // Muted and deleted, nothing of it is left; undo brings it back.
-  ASSERT_TRUE(editor().click(row + "/Mute"));
+  ASSERT_TRUE(editor().click(row + ".Mute"));
   const auto muted = folder_ / "muted.glb";
   editor().key("ctrl+e");
   take_path(muted);
   ASSERT_TRUE(editor().wait_for_words("Exported a copy: there is nothing corrected"));
   EXPECT_TRUE(bytes_of(muted) == bytes_of(kDemo / demo::kMannequinFile));
-  ASSERT_TRUE(editor().click(row + "/Delete"));
+  ASSERT_TRUE(editor().click(row + ".Delete"));
   ASSERT_TRUE(editor().wait([&] { return correction_row().empty(); }));
   editor().picture("deleted");
   editor().key("ctrl+z");

@@ -18,7 +18,6 @@
 namespace elbowroom::test {
 namespace {
 
-constexpr double kFrameWait = 3;  // s, for a frame that shows what was done
 
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -210,15 +209,23 @@ int DrivenEditor::tool(std::vector<std::string> arguments) const {
   return run_program("/usr/bin/env", arguments).exit_code;
 }
 
-// The frame being drawn while something is done may be too early for it; the one after is not.
-void DrivenEditor::drawn(std::size_t before) {
-  wait([&] { return frame_count() >= before + 2; }, kFrameWait);
+// A frame that took in events, and the one after it. The one being drawn while something is done is
+// too early for it, and the screen's server may pass it on late.
+bool DrivenEditor::drawn(std::size_t before, double seconds) {
+  return wait(
+      [&] {
+        const auto list = frames();
+        if (list.size() < before + 2) return false;
+        return std::any_of(list.begin() + static_cast<std::ptrdiff_t>(before), list.end() - 1,
+                           [](const DrawnFrame& frame) { return frame.events > 0; });
+      },
+      seconds);
 }
 
 void DrivenEditor::move_to(Pixel place) {
   const std::size_t before = frame_count();
   tool({"mousemove", std::to_string(place.x), std::to_string(place.y)});
-  wait([&] { return frame_count() >= before + 2; }, 0.5);  // it may have been there already
+  drawn(before, 0.7);  // it may have been there already
 }
 
 void DrivenEditor::press(int button) {

@@ -86,7 +86,7 @@ class DrivenEditor {
 
  private:
   int tool(std::vector<std::string> arguments) const;
-  void drawn(std::size_t before);
+  bool drawn(std::size_t before, double seconds = 3);
 
   std::filesystem::path folder_;
   int width_, height_;

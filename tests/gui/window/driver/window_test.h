@@ -68,7 +68,9 @@ inline Delivered delivered_by(const std::filesystem::path& project,
                             {demo::kGripX, demo::kGripY, demo::kGripZ},
                             {1, 0, 0, 0}}};
   const auto findings = find_limbs(**model, (*model)->characters.at(0));
-  for (const auto& correction : read_json(project)["corrections"]) {
+  const auto saved = read_json(project);
+  EXPECT_TRUE(saved.contains("corrections")) << saved;
+  for (const auto& correction : saved.value("corrections", nlohmann::json::array())) {
     if (correction.value("muted", false)) continue;
     Delivered::Window window;
     window.begin = correction["window"][0];
