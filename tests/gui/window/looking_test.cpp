@@ -74,6 +74,45 @@ TEST_F(Looking, TimeAndCamera) {
   editor().picture("framed_limb");
 }
 
+// Another theme and another size: everything is still painted, again and again.
+TEST_F(Looking, ThemeAndSize) {
+  ASSERT_TRUE(editor().start()) << editor().said();
+  ASSERT_TRUE(editor().wait_for("Outliner/Left arm"));
+  const auto colours_of = [&](const std::string& panel, const std::string& name) {
+    editor().picture(name);
+    const auto seen = editor().find(panel);
+    if (!seen) return 0;
+    const auto count = run_program(
+        "/usr/bin/env",
+        {"convert", std::filesystem::path(ELBOWROOM_PICTURES) / (name + ".png"), "-crop",
+         std::to_string(seen->max.x - seen->min.x) + "x" +
+             std::to_string(seen->max.y - seen->min.y) + "+" + std::to_string(seen->min.x) + "+" +
+             std::to_string(seen->min.y),
+         "-format", "%k", "info:"});
+    return std::atoi(count.out.c_str());
+  };
+  // Text on a ground is some dozen shades; a panel without text is one.
+  ASSERT_GT(colours_of("Outliner", "theme_dark"), 20);
+  for (int turn = 0; turn < 2; ++turn) {
+    const float wide =
+        static_cast<float>(editor().find("Menu/Undo")->max.x - editor().find("Menu/Undo")->min.x);
+    ASSERT_TRUE(editor().click("View"));
+    ASSERT_TRUE(editor().click("View/Light theme"));
+    ASSERT_TRUE(editor().wait([&] { return !editor().find("View/Light theme"); }));
+    editor().move_to({800, 300 + turn});
+    EXPECT_GT(colours_of("Outliner", turn ? "theme_dark_again" : "theme_light"), 20);
+    EXPECT_GT(colours_of("Timeline", turn ? "theme_dark_again" : "theme_light"), 20);
+    ASSERT_TRUE(editor().click("View"));
+    ASSERT_TRUE(editor().click("View/Larger interface"));
+    ASSERT_TRUE(editor().wait([&] {
+      const auto undo = editor().find("Menu/Undo");
+      return undo && static_cast<float>(undo->max.x - undo->min.x) > wide;
+    }));
+    editor().move_to({800, 310 + turn});
+    EXPECT_GT(colours_of("Outliner", turn ? "larger_again" : "larger"), 20);
+  }
+}
+
 TEST_F(Looking, AWindowLeftAloneCostsNothing) {
   ASSERT_TRUE(editor().start()) << editor().said();
   ASSERT_TRUE(editor().wait_for_words("bump.0", kScanSeconds));
