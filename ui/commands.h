@@ -22,8 +22,13 @@ namespace command {
 // Files. Which of the paths is the character, which obstacles, the editor finds out.
 struct OpenFiles {
   std::vector<std::filesystem::path> paths;
+  bool as_objects = false;  // whatever is in them, they go into the scene that is open
 };
 struct OpenDemo {};
+// What to do with work that is not saved when something else is to be opened.
+struct AnswerOpening {
+  bool open = false;  // else what is open stays
+};
 struct SaveProject {
   std::filesystem::path path;  // empty: where it was saved last
 };
@@ -74,6 +79,7 @@ struct SelectProblem {  // limb and window of one of the strip's proposals
 struct SetWindow {
   std::optional<Interval> window;
   Phase phase = Phase::committed;
+  int limb = -1;  // which is selected with it; -1: the one that is
 };
 struct SetSampling {
   std::string dof;
@@ -134,17 +140,16 @@ struct Quit {
 
 }  // namespace command
 
-using Command =
-    std::variant<command::OpenFiles, command::OpenDemo, command::SaveProject, command::Export,
-                 command::AttachObject, command::RemoveObject, command::ChooseClip, command::Undo,
-                 command::Redo, command::Scrub, command::TogglePlay, command::ToggleLoop,
-                 command::SetSpeed, command::StepFrames, command::GoToEnd, command::GoToProblem,
-                 command::SelectLimb, command::SelectProblem, command::SetWindow,
-                 command::SetSampling, command::ChoosePreset, command::SetWishes, command::Plan,
-                 command::CancelPlan, command::Accept, command::Discard, command::SelectCorrection,
-                 command::MuteCorrection, command::DeleteCorrection, command::RenameCorrection,
-                 command::ReplanCorrection, command::SetTarget, command::TargetFromPosture,
-                 command::Click, command::Quit>;
+using Command = std::variant<
+    command::OpenFiles, command::OpenDemo, command::AnswerOpening, command::SaveProject,
+    command::Export, command::AttachObject, command::RemoveObject, command::ChooseClip,
+    command::Undo, command::Redo, command::Scrub, command::TogglePlay, command::ToggleLoop,
+    command::SetSpeed, command::StepFrames, command::GoToEnd, command::GoToProblem,
+    command::SelectLimb, command::SelectProblem, command::SetWindow, command::SetSampling,
+    command::ChoosePreset, command::SetWishes, command::Plan, command::CancelPlan, command::Accept,
+    command::Discard, command::SelectCorrection, command::MuteCorrection, command::DeleteCorrection,
+    command::RenameCorrection, command::ReplanCorrection, command::SetTarget,
+    command::TargetFromPosture, command::Click, command::Quit>;
 
 using Commands = std::vector<Command>;
 

@@ -81,6 +81,7 @@ struct EditorState {
   // The document.
   const Document* document = nullptr;  // never null
   std::uint64_t revision = 0;
+  std::uint64_t picture_version = 1;  // another one whenever the viewport may show something else
   std::string name;  // of the project, or of the character's file; empty: nothing is open
   bool has_project = false;
   bool dirty = false;

@@ -56,6 +56,13 @@ void SceneFrame::begin_session(const EditorState& state) {
 
 const Frame& SceneFrame::make(const EditorState& state, const ViewState& view, double pixel_scale) {
   if (state.session != session_) begin_session(state);
+  const FrameKey key{session_, state.picture_version, view.compare, view.show_trails,
+                     view.show_limb};
+  if (key == made_from_) {
+    frame_.pixel_scale = pixel_scale;
+    return frame_;
+  }
+  made_from_ = key;
   frame_ = Frame{};
   frame_.pixel_scale = pixel_scale;
   states_.clear();
@@ -191,9 +198,9 @@ void SceneFrame::add_contacts(const EditorState& state, const ViewState& view) {
 }
 
 const Trail& SceneFrame::trail_of(KeptTrail& kept, const std::shared_ptr<const Clip>& clip,
-                                  const CollisionStrip* strip, int limb, double begin, double end,
-                                  Rgb colour, bool dashed) {
-  const TrailKey key{clip.get(), strip, limb, begin, end};
+                                  const std::shared_ptr<const CollisionStrip>& strip, int limb,
+                                  double begin, double end, Rgb colour, bool dashed) {
+  const TrailKey key{clip, strip, limb, begin, end};
   if (kept.key == key && !kept.trail.points.empty()) return kept.trail;
   kept.key = key;
   Trail& trail = kept.trail;
@@ -231,8 +238,8 @@ void SceneFrame::add_trails(const EditorState& state) {
   } else {
     return;
   }
-  frame_.trails.push_back(trail_of(source_trail_, state.clip, state.strip.get(), state.limb, begin,
-                                   end, 0x9aa3b2, true));
+  frame_.trails.push_back(
+      trail_of(source_trail_, state.clip, state.strip, state.limb, begin, end, 0x9aa3b2, true));
   if (state.candidate && state.candidate->report.limb == state.limb)
     frame_.trails.push_back(trail_of(shown_trail_, state.candidate->clip, nullptr, state.limb,
                                      begin, end, kStyle.good, false));

@@ -49,8 +49,8 @@ class SceneFrame {
   void add_trails(const EditorState& state);
 
   struct TrailKey {
-    const Clip* clip = nullptr;
-    const CollisionStrip* strip = nullptr;
+    std::shared_ptr<const Clip> clip;  // kept, so that no other one gets its address
+    std::shared_ptr<const CollisionStrip> strip;
     int limb = -1;
     double begin = 0, end = 0;
     bool operator==(const TrailKey&) const = default;
@@ -60,9 +60,19 @@ class SceneFrame {
     Trail trail;
   };
   const Trail& trail_of(KeptTrail& kept, const std::shared_ptr<const Clip>& clip,
-                        const CollisionStrip* strip, int limb, double begin, double end, Rgb colour,
-                        bool dashed);
+                        const std::shared_ptr<const CollisionStrip>& strip, int limb, double begin,
+                        double end, Rgb colour, bool dashed);
 
+  // What a frame is made from, besides its size.
+  struct FrameKey {
+    const Session* session = nullptr;
+    std::uint64_t version = 0;
+    Compare compare = Compare::both;
+    bool trails = false, limb = false;
+    bool operator==(const FrameKey&) const = default;
+  };
+
+  FrameKey made_from_;
   const Session* session_ = nullptr;
   World world_, ghost_world_, target_world_;
   std::vector<ActorState> states_, ghost_states_, source_states_, target_states_;

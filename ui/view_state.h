@@ -25,7 +25,16 @@ enum class InspectorTab { limb, target, planner };
 enum class Navigation { blender, maya };
 
 // What the dialog that is open is for.
-enum class Dialog { none, open, save_project, export_clip, add_object, shortcuts, discard, error };
+enum class Dialog {
+  none,
+  open,
+  save_project,
+  export_clip,
+  add_object,
+  shortcuts,
+  discard,              // unsaved work, before the window closes
+  discard_for_opening,  // and before something else is opened
+};
 
 struct ViewState {
   Camera camera;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/editor/background.h"
 
+#include <exception>
 #include <utility>
 
 namespace elbowroom {
@@ -18,7 +19,8 @@ std::vector<Mailbox::Letter> Mailbox::collect() {
   return std::exchange(letters_, {});
 }
 
-BackgroundThread::BackgroundThread() : thread_([this](const std::stop_token& end) { work(end); }) {}
+BackgroundThread::BackgroundThread(std::function<void(std::string)> failed)
+    : failed_(std::move(failed)), thread_([this](const std::stop_token& end) { work(end); }) {}
 
 BackgroundThread::~BackgroundThread() {
   {
@@ -50,7 +52,11 @@ void BackgroundThread::work(const std::stop_token& end) {
       waiting_.pop_front();
       running_ = entry.stop;
     }
-    entry.job(entry.stop.get_token());
+    try {
+      entry.job(entry.stop.get_token());
+    } catch (const std::exception& problem) {
+      if (failed_) failed_(problem.what());
+    }
   }
 }
 

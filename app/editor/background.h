@@ -11,6 +11,7 @@
 #include <functional>
 #include <mutex>
 #include <stop_token>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -36,7 +37,9 @@ class BackgroundThread {
  public:
   using Job = std::function<void(std::stop_token)>;
 
-  BackgroundThread();
+  // `failed` is told, on this thread, of a job that ended by an exception (memory that has run
+  // out).
+  explicit BackgroundThread(std::function<void(std::string)> failed = {});
   // Asks the running job to stop, forgets the others, and waits.
   ~BackgroundThread();
   BackgroundThread(const BackgroundThread&) = delete;
@@ -53,6 +56,7 @@ class BackgroundThread {
   };
   void work(const std::stop_token& end);
 
+  std::function<void(std::string)> failed_;
   std::mutex mutex_;
   std::condition_variable_any changed_;
   std::deque<Entry> waiting_;

@@ -20,23 +20,61 @@ std::string seconds_text(double a, double b) {
   return text;
 }
 
-}  // namespace
-
-std::string limb_title(const std::string& limb) {
-  std::string title = limb;
-  if (limb == limb_id(LimbKind::left_arm) || limb == limb_id(LimbKind::right_arm) ||
-      limb == limb_id(LimbKind::left_leg) || limb == limb_id(LimbKind::right_leg)) {
-    std::replace(title.begin(), title.end(), '_', ' ');
-    title[0] = static_cast<char>(title[0] - 'a' + 'A');
-  }
-  return title;
+// Commands come from other programs too: what makes no sense is not carried out.
+bool usable(const PlanningWishes& wishes) {
+  return std::isfinite(wishes.clearance) && wishes.clearance >= 0 &&
+         std::isfinite(wishes.max_seconds) && wishes.max_seconds >= 0 &&
+         wishes.max_iterations > 0 && wishes.alternatives > 0;
 }
+
+bool usable(const HandTarget& target) {
+  const auto finite = [](const auto& v, int count) {
+    for (int i = 0; i < count; ++i)
+      if (!std::isfinite(v[i])) return false;
+    return true;
+  };
+  return std::isfinite(target.time) && finite(target.position, 3) &&
+         (!target.orientation || (finite(*target.orientation, 4) &&
+                                  std::abs(glm::length(*target.orientation) - 1) < 1e-3));
+}
+
+// The limb has that DOF, and the interval holds something within its limits.
+bool usable_sampling(const LimbModel* limb, const command::SetSampling& wanted) {
+  if (wanted.phase == Phase::cancelled) return true;
+  if (!limb) return false;
+  for (int d = 0; d < limb->dof_count(); ++d) {
+    const Dof& dof = limb->space.dofs[static_cast<std::size_t>(d)];
+    if (dof.name != wanted.dof) continue;
+    const auto& interval = wanted.interval;
+    return !interval || (std::isfinite(interval->lower) && std::isfinite(interval->upper) &&
+                         interval->lower <= interval->upper && interval->upper >= dof.lower &&
+                         interval->lower <= dof.upper);
+  }
+  return false;
+}
+
+}  // namespace
 
 Editor::Editor(std::function<void()> wake)
     : mailbox_(std::make_shared<Mailbox>(std::move(wake))),
       scene_work_(std::make_shared<SceneWork>()),
-      target_work_(std::make_shared<TargetWork>()) {
+      target_work_(std::make_shared<TargetWork>()),
+      files_thread_(job_failure()),
+      scene_thread_(job_failure()),
+      target_thread_(job_failure()) {
   refresh();
+}
+
+// What becomes of a job that has thrown: nothing of it is waited for any more.
+std::function<void(std::string)> Editor::job_failure() {
+  return [this, mailbox = mailbox_](const std::string& what) {
+    mailbox->post([this, what] {
+      for (JobState* job : {&state_.opening, &state_.scanning, &state_.planning, &state_.exporting})
+        job->active = false;
+      tell(Notice::Kind::error, {"a computation in the background has failed: " + what, "",
+                                 "save the project, then try again"});
+    });
+  };
 }
 
 Editor::~Editor() {
@@ -142,8 +180,9 @@ void Editor::refresh() {
       for (const auto& problem : motion.problems)
         state_.corrections.push_back({!problem, problem ? problem->message() : ""});
       if (changed) {
-        // A ghost planned on another motion is none of this one.
+        // What is planned on another motion is none of this one.
         state_.candidate.reset();
+        cancel_plan();
         rescan(*changed);
       }
     }
@@ -194,6 +233,7 @@ void Editor::set_time(double t) {
   t = std::clamp(t, state_.begin, state_.end);
   if (t == state_.time) return;
   state_.time = t;
+  ++state_.picture_version;
   refresh_time();
   changed_ = true;
 }
@@ -201,8 +241,10 @@ void Editor::set_time(double t) {
 bool Editor::update(double now) {
   now_ = now;
   for (const auto& letter : mailbox_->collect()) {
+    letter_shows_ = true;
     letter();
     changed_ = true;
+    if (letter_shows_) ++state_.picture_version;
   }
   if (state_.playing) {
     if (played_at_ >= 0) {
@@ -222,7 +264,6 @@ bool Editor::update(double now) {
        {std::pair(&state_.opening, &opening_), std::pair(&state_.scanning, &scanning_),
         std::pair(&state_.planning, &planning_), std::pair(&state_.exporting, &exporting_)})
     if (job->active) job->seconds = now - running->began;
-  if (changed_) ++picture_version_;
   return std::exchange(changed_, false);
 }
 
@@ -314,9 +355,12 @@ void Editor::handle(const Command& command) {
           return document.corrections[static_cast<std::size_t>(index)].name;
         };
         if constexpr (std::is_same_v<T, cmd::OpenFiles>) {
-          open_files(c.paths);
+          open_files(c.paths, c.as_objects);
         } else if constexpr (std::is_same_v<T, cmd::OpenDemo>) {
           open_demo();
+        } else if constexpr (std::is_same_v<T, cmd::AnswerOpening>) {
+          const auto pending = std::exchange(pending_opening_, nullptr);
+          if (c.open && pending) pending();
         } else if constexpr (std::is_same_v<T, cmd::SaveProject>) {
           save(c.path);
         } else if constexpr (std::is_same_v<T, cmd::Export>) {
@@ -367,7 +411,7 @@ void Editor::handle(const Command& command) {
           set_window(c);
         } else if constexpr (std::is_same_v<T, cmd::SetSampling>) {
           const std::string limb = document.draft.limb;
-          if (limb.empty()) return;
+          if (limb.empty() || !usable_sampling(state_.limb_model(), c)) return;
           edit(c.interval ? "Sampling of " + c.dof : "Reset " + c.dof, c.phase,
                [&](Document& changed) {
                  auto& sampling = changed.draft.wishes[limb].sampling;
@@ -380,7 +424,7 @@ void Editor::handle(const Command& command) {
           choose_preset(c.preset);
         } else if constexpr (std::is_same_v<T, cmd::SetWishes>) {
           const std::string limb = document.draft.limb;
-          if (limb.empty()) return;
+          if (limb.empty() || (c.phase != Phase::cancelled && !usable(c.wishes))) return;
           edit(c.what, c.phase, [&](Document& changed) {
             auto& wishes = changed.draft.wishes[limb];
             auto sampling = std::move(wishes.sampling);
@@ -396,6 +440,7 @@ void Editor::handle(const Command& command) {
         } else if constexpr (std::is_same_v<T, cmd::Discard>) {
           state_.candidate.reset();
           state_.failure.reset();
+          keep_replanned();
           refresh_time();
         } else if constexpr (std::is_same_v<T, cmd::SelectCorrection>) {
           if (has_correction(c.index)) state_.selected_correction = c.index;
@@ -423,9 +468,14 @@ void Editor::handle(const Command& command) {
         } else if constexpr (std::is_same_v<T, cmd::ReplanCorrection>) {
           replan(c.index);
         } else if constexpr (std::is_same_v<T, cmd::SetTarget>) {
-          if (state_.limb < 0) return;
+          if (state_.limb < 0 || !state_.source) return;
+          auto target = c.target;
+          if (c.phase != Phase::cancelled && target) {
+            if (!usable(*target)) return;
+            target->time = std::clamp(target->time, state_.begin, state_.end);
+          }
           edit(c.target ? c.what : "Remove hand target", c.phase,
-               [&](Document& changed) { changed.draft.target = c.target; });
+               [&](Document& changed) { changed.draft.target = target; });
         } else if constexpr (std::is_same_v<T, cmd::TargetFromPosture>) {
           target_from_posture();
         } else if constexpr (std::is_same_v<T, cmd::Click>) {
@@ -439,7 +489,7 @@ void Editor::handle(const Command& command) {
       },
       command);
   changed_ = true;
-  ++picture_version_;
+  ++state_.picture_version;
 }
 
 }  // namespace elbowroom

@@ -4,8 +4,8 @@
 //
 // Commands change the document by named steps of undo; whatever follows from the document (the
 // corrected clip, the strips of contacts, the posture at the hand target) is computed from it and
-// never edited. Work goes to two threads: one looks for contacts and plans, one follows the hand
-// target. Their results come in by update().
+// never edited. Work goes to three threads: one reads and writes files, one looks for contacts and
+// plans, one follows the hand target. Their results come in by update().
 //
 // All members are for the window's thread. Nothing here blocks for longer than a few milliseconds
 // but for laying corrections over the clip.
@@ -52,11 +52,11 @@ class Editor {
   // clock. True if something to be seen has changed.
   bool update(double now);
 
-  // True while the picture changes by itself (playing), or a number in it does (a job's time).
+  // True while the picture changes by itself.
   bool moving() const { return state_.playing; }
   bool working() const;
   // Another number whenever something that a picture shows may have changed.
-  std::uint64_t picture_version() const { return picture_version_; }
+  std::uint64_t picture_version() const { return state_.picture_version; }
   // A quit that has been asked for, and agreed to if something is unsaved.
   bool quitting() const { return quitting_; }
 
@@ -70,6 +70,7 @@ class Editor {
 
  private:
   // editor.cpp
+  std::function<void(std::string)> job_failure();
   void refresh();       // state_ from the document
   void refresh_time();  // what of state_ depends on time
   void document_changed();
@@ -81,12 +82,19 @@ class Editor {
   void go_to_problem(int direction);
   void choose_preset(SamplingPreset preset);
   void set_window(const command::SetWindow& wanted);
+  std::optional<Interval> within_clip(Interval window) const;
   int limb_index(const std::string& name) const;
 
   // editor_files.cpp
-  void open_files(const std::vector<std::filesystem::path>& paths);
+  void open_files(const std::vector<std::filesystem::path>& paths, bool as_objects);
   void open_demo();
-  void read_files(Document document, std::filesystem::path project, bool fresh);
+  Document coming_document() const;
+  enum class Why {
+    fresh,   // another document
+    change,  // a change of the scene of the one that is open
+    follow,  // undo or redo has changed its scene
+  };
+  void read_files(Document document, std::filesystem::path project, Why why);
   void opened(Session session, std::filesystem::path project, bool fresh);
   void scene_changed();
   void attach_object(const std::filesystem::path& file, const std::string& joint);
@@ -99,12 +107,13 @@ class Editor {
   // editor_plan.cpp
   void prepare_contacts();
   void rescan(const Interval& changed);
-  void look_for_contacts(std::optional<Interval> changed);
+  void look_for_contacts();
   void plan();
   void start_plan(int limb, Task task);
   void cancel_plan();
   void accept();
   void replan(int correction);
+  void keep_replanned();
 
   // editor_target.cpp
   void target_changed();
@@ -123,8 +132,9 @@ class Editor {
   History history_;
   std::filesystem::path project_;
   std::shared_ptr<const Session> session_;
-  std::uint64_t session_number_ = 0;  // results of another session are passed over
   std::vector<Correction> shown_corrections_;
+  // Where the document's motion differs from what `strip` has been made of.
+  std::optional<Interval> unseen_;
   std::uint64_t refreshed_revision_ = 0;
   std::optional<HandTarget> shown_target_;
   std::string shown_limb_;
@@ -134,8 +144,13 @@ class Editor {
   std::uint64_t next_ticket_ = 1;
   bool quitting_ = false;
   bool changed_ = true;
-  std::uint64_t picture_version_ = 1;
-  mutable SurfacePicker picker_;
+  bool letter_shows_ = true;  // what a letter has changed is to be seen in the picture
+  SurfacePicker picker_;
+
+  // Another document that waits for an answer about unsaved work.
+  std::function<void()> pending_opening_;
+  std::string replan_step_;  // the step that took a correction away to plan it anew
+  std::optional<SceneDescription> coming_scene_;  // of the files being read
 
   Running opening_, scanning_, planning_, exporting_, targeting_;
   std::shared_ptr<Mailbox> mailbox_;

@@ -22,15 +22,6 @@ bool has_extension(const std::filesystem::path& path, const char* extension) {
   return own == extension;
 }
 
-// Which joint limbs a document names besides the usual ones.
-std::string extra_limb(const Document& document) {
-  for (const Task& task : document.tasks)
-    if (task.limb.find("..") != std::string::npos) return task.limb;
-  for (const Correction& correction : document.corrections)
-    if (correction.limb.find("..") != std::string::npos) return correction.limb;
-  return {};
-}
-
 struct Opening {
   Document document;
   std::filesystem::path project;
@@ -40,7 +31,17 @@ struct Opening {
 }  // namespace
 
 void Editor::open(Document document, std::filesystem::path project) {
-  read_files(std::move(document), std::move(project), true);
+  auto read = [this, document = std::move(document), project = std::move(project)] {
+    read_files(document, project, Why::fresh);
+  };
+  if (!session_ || !history_.dirty()) {
+    read();
+    return;
+  }
+  // What has not been saved goes with the document that is open: that is asked about first.
+  pending_opening_ = std::move(read);
+  view_.dialog = Dialog::discard_for_opening;
+  changed_ = true;
 }
 
 void Editor::open_demo() {
@@ -52,76 +53,91 @@ void Editor::open_demo() {
   open(std::move(*document));
 }
 
-void Editor::open_files(const std::vector<std::filesystem::path>& paths) {
+void Editor::open_files(const std::vector<std::filesystem::path>& paths, bool as_objects) {
   if (paths.empty()) return;
   // What a file is shows when it is read: in the background, for a glTF may be large.
   begin_job(opening_, state_.opening, "Opening " + paths.front().filename().string());
-  const Document current = history_.document();
+  const Document current = coming_document();
   const bool has_scene = session_ != nullptr;
-  opening_.stop = files_thread_.run([this, paths, current, has_scene, ticket = opening_.ticket,
-                                     mailbox = mailbox_](const std::stop_token& stop) {
-    Opening opening;
-    std::optional<Error> error;
-    bool character = false;
-    std::vector<std::filesystem::path> objects;
-    for (const auto& path : paths) {
-      if (stop.stop_requested()) break;
-      if (has_extension(path, ".elbow")) {
-        auto document = read_project(path);
-        if (!document) {
-          error = document.error();
-          break;
+  as_objects = as_objects && has_scene;
+  opening_.stop =
+      files_thread_.run([this, paths, current, has_scene, as_objects, ticket = opening_.ticket,
+                         mailbox = mailbox_](const std::stop_token& stop) {
+        Opening opening;
+        std::optional<Error> error;
+        bool character = false;
+        std::vector<std::filesystem::path> objects;
+        for (const auto& path : paths) {
+          if (stop.stop_requested()) break;
+          if (!as_objects && has_extension(path, ".elbow")) {
+            auto document = read_project(path);
+            if (!document) {
+              error = document.error();
+              break;
+            }
+            opening.document = std::move(*document);
+            opening.project = path;
+            character = true;
+            continue;
+          }
+          ReadOptions options;
+          options.images = false;
+          const auto model = read_gltf(path, options);
+          if (!model) {
+            error = model.error();
+            break;
+          }
+          if (!as_objects && !(*model)->characters.empty() && !character) {
+            opening.document.scene.character = path;
+            character = true;
+          } else {
+            objects.push_back(path);
+          }
         }
-        opening.document = std::move(*document);
-        opening.project = path;
-        character = true;
-        continue;
-      }
-      ReadOptions options;
-      options.images = false;
-      const auto model = read_gltf(path, options);
-      if (!model) {
-        error = model.error();
-        break;
-      }
-      if (!(*model)->characters.empty() && !character) {
-        opening.document.scene.character = path;
-        character = true;
-      } else {
-        objects.push_back(path);
-      }
-    }
-    if (!error && !character && !has_scene)
-      error = Error{"there is no character in what was opened", paths.front().string(),
-                    "open a glTF file with a skinned figure first, then objects to go with it"};
-    if (!character && has_scene) {
-      opening.document = current;
-      opening.fresh = false;
-    }
-    for (const auto& object : objects) opening.document.scene.obstacles.push_back(object);
-    mailbox->post([this, ticket, opening = std::move(opening), error] {
-      if (ticket != opening_.ticket) return;
-      state_.opening.active = false;
-      if (error)
-        tell(Notice::Kind::error, *error);
-      else
-        read_files(opening.document, opening.project, opening.fresh);
-    });
-  });
+        if (!error && !character && !has_scene)
+          error = Error{"there is no character in what was opened", paths.front().string(),
+                        "open a glTF file with a skinned figure first, then objects to go with it"};
+        if (!character && has_scene) {
+          opening.document = current;
+          opening.fresh = false;
+        }
+        for (const auto& object : objects) opening.document.scene.obstacles.push_back(object);
+        mailbox->post([this, ticket, opening = std::move(opening), error] {
+          if (ticket != opening_.ticket) return;
+          state_.opening.active = false;
+          if (error)
+            tell(Notice::Kind::error, *error);
+          else if (opening.fresh)
+            open(opening.document, opening.project);
+          else
+            read_files(opening.document, opening.project, Why::change);
+        });
+      });
 }
 
-void Editor::read_files(Document document, std::filesystem::path project, bool fresh) {
+// The document with the scene that is being read, if one is: changes that follow build on it.
+Document Editor::coming_document() const {
+  Document document = history_.document();
+  if (state_.opening.active && coming_scene_) document.scene = *coming_scene_;
+  return document;
+}
+
+void Editor::read_files(Document document, std::filesystem::path project, Why why) {
+  coming_scene_ = document.scene;
   begin_job(
       opening_, state_.opening,
       "Opening " + (project.empty() ? document.scene.character : project).filename().string());
   opening_.stop =
-      files_thread_.run([this, document = std::move(document), project = std::move(project), fresh,
+      files_thread_.run([this, document = std::move(document), project = std::move(project), why,
                          ticket = opening_.ticket, mailbox = mailbox_](const std::stop_token&) {
-        auto session = open_session(document, extra_limb(document));
-        mailbox->post([this, ticket, project, fresh,
+        auto session = open_project_session(document);
+        mailbox->post([this, ticket, project, why, scene = document.scene,
                        session = std::make_shared<Result<Session>>(std::move(session))] {
           if (ticket != opening_.ticket) return;
           state_.opening.active = false;
+          // Undo and redo may have gone back again meanwhile.
+          if (why == Why::follow && history_.document().scene != scene) return;
+          const bool fresh = why == Why::fresh;
           if (!*session) {
             tell(Notice::Kind::error, session->error());
             // What the document says again is what is open.
@@ -144,9 +160,15 @@ void Editor::opened(Session session, std::filesystem::path project, bool fresh) 
   const Document document = session.document;
   planning_.stop.request_stop();
   scanning_.stop.request_stop();
+  // What they have posted already is of the scene before.
+  planning_.ticket = next_ticket_++;
+  scanning_.ticket = next_ticket_++;
   state_.planning.active = state_.scanning.active = false;
+  // A scene of its own for each session: a job of the old one may still be running.
+  scene_work_ = std::make_shared<SceneWork>();
+  target_work_ = std::make_shared<TargetWork>();
+  unseen_.reset();
   session_ = std::make_shared<const Session>(std::move(session));
-  ++session_number_;
   if (fresh) {
     project_ = std::move(project);
     history_ = History(document);
@@ -186,11 +208,12 @@ void Editor::opened(Session session, std::filesystem::path project, bool fresh) 
 // Undo and redo go through changes of the scene too.
 void Editor::scene_changed() {
   if (!session_ || history_.document().scene == session_->document.scene) return;
-  read_files(history_.document(), project_, false);
+  read_files(history_.document(), project_, Why::follow);
 }
 
 void Editor::attach_object(const std::filesystem::path& file, const std::string& joint) {
-  Document changed = history_.document();
+  if (!session_) return;
+  Document changed = coming_document();
   auto& scene = changed.scene;
   const auto held = std::find_if(scene.attachments.begin(), scene.attachments.end(),
                                  [&](const AttachedFile& a) { return a.file == file; });
@@ -202,22 +225,23 @@ void Editor::attach_object(const std::filesystem::path& file, const std::string&
   else
     scene.attachments.push_back({file, joint, {}});
   if (changed.scene == history_.document().scene) return;
-  read_files(std::move(changed), project_, false);
+  read_files(std::move(changed), project_, Why::change);
 }
 
 void Editor::remove_object(const std::filesystem::path& file) {
-  Document changed = history_.document();
+  if (!session_) return;
+  Document changed = coming_document();
   std::erase(changed.scene.obstacles, file);
   std::erase_if(changed.scene.attachments, [&](const AttachedFile& a) { return a.file == file; });
   if (changed.scene == history_.document().scene) return;
-  read_files(std::move(changed), project_, false);
+  read_files(std::move(changed), project_, Why::change);
 }
 
 void Editor::choose_clip(const std::string& name) {
   if (!session_ || history_.document().scene.clip == name) return;
   Document changed = history_.document();
   changed.scene.clip = name;
-  read_files(std::move(changed), project_, false);
+  read_files(std::move(changed), project_, Why::change);
 }
 
 void Editor::remember(const std::filesystem::path& path) {
@@ -232,12 +256,13 @@ void Editor::remember(const std::filesystem::path& path) {
 void Editor::save(const std::filesystem::path& path) {
   if (!session_) return;
   history_.commit();
+  document_changed();
   const auto target = path.empty() ? project_ : path;
   if (target.empty()) {
     view_.dialog = Dialog::save_project;
     return;
   }
-  if (Status saved = write_project(target, history_.document()); !saved) {
+  if (Status saved = write_project(target, history_.document(), project_); !saved) {
     tell(Notice::Kind::error, saved.error());
     return;
   }
@@ -250,6 +275,17 @@ void Editor::save(const std::filesystem::path& path) {
 
 void Editor::export_to(const std::filesystem::path& path) {
   if (!session_ || !state_.clip || path.empty()) return;
+  const SceneDescription& scene = history_.document().scene;
+  std::vector<std::filesystem::path> in_use = {scene.character, project_};
+  in_use.insert(in_use.end(), scene.obstacles.begin(), scene.obstacles.end());
+  for (const AttachedFile& held : scene.attachments) in_use.push_back(held.file);
+  for (const auto& file : in_use) {
+    std::error_code error;
+    if (file.empty() || !std::filesystem::equivalent(path, file, error)) continue;
+    tell(Notice::Kind::error,
+         {"that would write over a file of the scene", path.string(), "export under another name"});
+    return;
+  }
   for (std::size_t i = 0; i < state_.corrections.size(); ++i)
     if (!state_.corrections[i].fits) {
       tell(Notice::Kind::error, {"the correction \"" + history_.document().corrections[i].name +

@@ -10,6 +10,8 @@
 namespace elbowroom {
 namespace {
 
+constexpr const char* kPreparing = "Looking at the scene";
+
 std::string with_window(const std::string& what, const Interval& window) {
   char text[160];
   std::snprintf(text, sizeof text, "%s %.2f–%.2f s", what.c_str(), window.lower, window.upper);
@@ -29,10 +31,7 @@ std::string unique_name(const Document& document, const std::string& wanted) {
 
 void Editor::prepare_contacts() {
   if (!session_ || !state_.source || session_->limbs.empty()) return;
-  begin_job(scanning_, state_.scanning, "Looking at the scene");
-  // A scene of its own for each session: a job of the old one may still be running.
-  scene_work_ = std::make_shared<SceneWork>();
-  target_work_ = std::make_shared<TargetWork>();
+  begin_job(scanning_, state_.scanning, kPreparing);
   scanning_.stop =
       scene_thread_.run([this, session = session_, work = scene_work_, ticket = scanning_.ticket,
                          mailbox = mailbox_](const std::stop_token& stop) {
@@ -42,25 +41,39 @@ void Editor::prepare_contacts() {
           if (ticket != scanning_.ticket) return;
           state_.scanning.active = false;
           if (prepared)
-            look_for_contacts({});
+            look_for_contacts();
           else
             tell(Notice::Kind::error, prepared.error());
         });
       });
 }
 
-void Editor::rescan(const Interval& changed) { look_for_contacts(changed); }
+void Editor::rescan(const Interval& changed) {
+  if (!unseen_) unseen_ = changed;
+  unseen_->lower = std::min(unseen_->lower, changed.lower);
+  unseen_->upper = std::max(unseen_->upper, changed.upper);
+  // While the scene is made ready, its first look is to come and sees this too.
+  if (state_.scanning.active && state_.scanning.what == kPreparing) return;
+  look_for_contacts();
+}
 
 // The strip of the document's motion, anew or only where it has changed since the last one.
-void Editor::look_for_contacts(std::optional<Interval> changed) {
+void Editor::look_for_contacts() {
   if (!session_ || !state_.clip || session_->limbs.empty()) return;
+  auto changed = unseen_;
   if (!state_.source_strip || !state_.strip || !state_.strip->complete()) changed.reset();
   begin_job(scanning_, state_.scanning, "Looking for contacts");
   scanning_.stop = scene_thread_.run([this, work = scene_work_, source = state_.source,
                                       clip = state_.clip, known_source = state_.source_strip,
                                       known = state_.strip, changed, ticket = scanning_.ticket,
                                       mailbox = mailbox_](const std::stop_token& stop) {
-    if (!work->ready() || stop.stop_requested()) return;
+    if (stop.stop_requested()) return;
+    if (!work->ready()) {
+      mailbox->post([this, ticket] {
+        if (ticket == scanning_.ticket) state_.scanning.active = false;
+      });
+      return;
+    }
     const auto tell_strip = [&](bool of_source, bool of_clip, CollisionStrip strip) {
       mailbox->post([this, ticket, of_source, of_clip,
                      shared = std::make_shared<const CollisionStrip>(std::move(strip))] {
@@ -69,7 +82,10 @@ void Editor::look_for_contacts(std::optional<Interval> changed) {
         if (of_clip) state_.strip = shared;
         const double length = shared->end - shared->begin;
         state_.scanning.fraction = length > 0 ? (shared->computed_to - shared->begin) / length : 1;
-        if (of_clip && shared->complete()) state_.scanning.active = false;
+        if (of_clip && shared->complete()) {
+          state_.scanning.active = false;
+          unseen_.reset();
+        }
       });
     };
     const bool same = source == clip;
@@ -96,24 +112,40 @@ void Editor::look_for_contacts(std::optional<Interval> changed) {
   });
 }
 
+// The window put right: two frames long at least, inside the clip, its ends float32 as keys are.
+// None for what is no window, and for a clip too short to have one.
+std::optional<Interval> Editor::within_clip(Interval window) const {
+  if (!std::isfinite(window.lower) || !std::isfinite(window.upper)) return std::nullopt;
+  if (window.lower > window.upper) std::swap(window.lower, window.upper);
+  const double least = std::min(2 / state_.frame_rate, state_.end - state_.begin);
+  window.lower = std::max(state_.begin, std::min(window.lower, state_.end - least));
+  window.upper = std::min(state_.end, std::max(window.upper, window.lower + least));
+  window.lower = static_cast<double>(static_cast<float>(window.lower));
+  window.upper = static_cast<double>(static_cast<float>(window.upper));
+  if (!(window.lower < window.upper)) return std::nullopt;
+  return window;
+}
+
 void Editor::set_window(const command::SetWindow& wanted) {
-  if (!state_.source || state_.limb < 0) return;
-  std::optional<Interval> window = wanted.window;
-  if (window) {
-    if (!std::isfinite(window->lower) || !std::isfinite(window->upper)) return;
-    if (window->lower > window->upper) std::swap(window->lower, window->upper);
-    const double least = std::min(2 / state_.frame_rate, state_.end - state_.begin);
-    window->lower = std::clamp(window->lower, state_.begin, state_.end - least);
-    window->upper = std::clamp(window->upper, window->lower + least, state_.end);
+  const int limb = wanted.limb < 0 ? state_.limb : wanted.limb;
+  if (!state_.source || limb < 0 || limb >= static_cast<int>(session_->limbs.size())) return;
+  std::optional<Interval> window;
+  if (wanted.window) {
+    window = within_clip(*wanted.window);
+    if (!window) return;
   }
   edit(window ? "Set window" : "Clear window", wanted.phase,
-       [&](Document& document) { document.draft.window = window; });
+       [&, name = session_->limbs[static_cast<std::size_t>(limb)].limb.name](Document& document) {
+         if (document.draft.limb != name) document.draft.target.reset();
+         document.draft.limb = name;
+         document.draft.window = window;
+       });
 }
 
 void Editor::plan() {
   if (!session_ || !state_.clip) return;
   history_.commit();
-  const Draft& draft = history_.document().draft;
+  document_changed();
   if (state_.limb < 0) {
     go_to_problem(1);
     if (state_.limb < 0) {
@@ -122,6 +154,9 @@ void Editor::plan() {
       return;
     }
   }
+  Draft draft = history_.document().draft;
+  // It may have been chosen on a longer clip.
+  if (draft.window) draft.window = within_clip(*draft.window);
   Task task;
   task.limb = draft.limb;
   task.wishes = wishes();
@@ -148,8 +183,10 @@ void Editor::plan() {
         return;
       }
       select_problem(state_.limb, 0);
+      draft.window = history_.document().draft.window;
     }
-    task.window = history_.document().draft.window;
+    task.window = draft.window;
+    task.even_if_free = true;  // it was asked for by hand
     task.name = with_window(limb_title(task.limb), *task.window);
   }
   start_plan(state_.limb, std::move(task));
@@ -159,6 +196,7 @@ void Editor::start_plan(int limb, Task task) {
   task.name = unique_name(history_.document(), task.name);
   state_.failure.reset();
   state_.candidate.reset();
+  refresh_time();
   // A scan that is under way waits: the plan is what somebody is looking at.
   const bool scan_again = state_.scanning.active && state_.scanning.what == "Looking for contacts";
   if (scan_again) scanning_.stop.request_stop();
@@ -166,9 +204,19 @@ void Editor::start_plan(int limb, Task task) {
   planning_.stop = scene_thread_.run([this, work = scene_work_, clip = state_.clip, limb, task,
                                       ticket = planning_.ticket,
                                       mailbox = mailbox_](const std::stop_token& stop) {
-    if (!work->ready() || stop.stop_requested()) return;
+    if (stop.stop_requested()) return;
+    if (!work->ready()) {
+      mailbox->post([this, ticket] {
+        if (ticket != planning_.ticket) return;
+        state_.planning.active = false;
+        tell(Notice::Kind::error, {"the scene's contacts are not known, so nothing can be planned",
+                                   "", "the messages before this one say why"});
+      });
+      return;
+    }
     const auto progress = [&](const Progress& p) {
       mailbox->post([this, ticket, p, task_limb = task.limb] {
+        letter_shows_ = false;
         if (ticket != planning_.ticket) return;
         state_.planning.fraction = p.fraction;
         state_.planning.what = limb_title(task_limb) + ": " + p.phase;
@@ -176,25 +224,42 @@ void Editor::start_plan(int limb, Task task) {
     };
     auto outcome = work->plan(clip, limb, task, stop, progress);
     mailbox->post([this, ticket, clip, outcome = std::move(outcome)] {
-      if (ticket != planning_.ticket || clip != state_.clip) return;
+      if (ticket != planning_.ticket) return;
       state_.planning.active = false;
+      if (clip != state_.clip) return;
       state_.candidate = outcome.candidate;
       state_.failure = outcome.failure;
+      if (!outcome.candidate) {
+        keep_replanned();
+        state_.failure = outcome.failure;
+      }
       if (outcome.error) tell(Notice::Kind::error, *outcome.error);
       refresh_time();
     });
   });
-  if (scan_again) look_for_contacts({});
+  if (scan_again) look_for_contacts();
 }
 
 void Editor::cancel_plan() {
   planning_.stop.request_stop();
   planning_.ticket = next_ticket_++;
   state_.planning.active = false;
+  keep_replanned();
+}
+
+// A correction that was to be planned anew and has no better motion stays what it was.
+void Editor::keep_replanned() {
+  if (replan_step_.empty()) return;
+  if (history_.undo_name() == replan_step_) {
+    history_.undo();
+    document_changed();
+  }
+  replan_step_.clear();
 }
 
 void Editor::accept() {
   if (!state_.candidate) return;
+  replan_step_.clear();
   const Candidate candidate = *state_.candidate;
   edit("Accept " + candidate.task.name, Phase::committed, [&](Document& document) {
     document.tasks.push_back(candidate.task);
@@ -202,8 +267,11 @@ void Editor::accept() {
     correction.name = candidate.task.name;
     correction.task = candidate.task.name;
     document.corrections.push_back(std::move(correction));
-    document.draft.window.reset();
-    document.draft.target.reset();
+    // What has been done is no draft any more; what is prepared for another limb stays.
+    if (document.draft.limb == candidate.task.limb) {
+      document.draft.window.reset();
+      document.draft.target.reset();
+    }
   });
   state_.candidate.reset();
   state_.selected_correction = static_cast<int>(history_.document().corrections.size()) - 1;
@@ -224,7 +292,8 @@ void Editor::replan(int index) {
       target = task.target;
       wishes = task.wishes;
     }
-  edit("Replan " + correction.name, Phase::committed, [&](Document& changed) {
+  replan_step_ = "Replan " + correction.name;
+  edit(replan_step_, Phase::committed, [&](Document& changed) {
     changed.corrections.erase(changed.corrections.begin() + index);
     std::erase_if(changed.tasks, [&](const Task& task) {
       return task.name == correction.task && !correction.task.empty();

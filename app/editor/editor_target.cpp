@@ -39,6 +39,7 @@ double end_length(const Session& session, const Limb& limb) {
 
 void Editor::target_changed() {
   targeting_.stop.request_stop();
+  targeting_.ticket = next_ticket_++;  // what it has posted already is of the target before
   const auto& target = history_.document().draft.target;
   if (!target || state_.limb < 0 || !state_.clip) {
     state_.target = {};
@@ -50,7 +51,6 @@ void Editor::target_changed() {
   // It may still run into something: the other thread looks, the newest question only.
   state_.target.status = TargetView::Status::solving;
   state_.target.text = "Reached; looking for contacts";
-  targeting_.ticket = next_ticket_++;
   targeting_.stop = target_thread_.run([this, work = target_work_, question = std::move(question),
                                         ticket = targeting_.ticket,
                                         mailbox = mailbox_](const std::stop_token& stop) {

@@ -72,4 +72,23 @@ Shortcut shortcut_of_glfw(int key) {
   return shortcut;
 }
 
+void press_keys(const Ui& ui, const EditorState& state, ViewState& view, Commands& commands) {
+  const ImGuiIO& io = ImGui::GetIO();
+  // A text that is typed, a drag under way, an open list or menu: the key is theirs.
+  if (io.WantTextInput || ImGui::IsAnyItemActive() ||
+      ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+    return;
+  for (int key = 0; key <= GLFW_KEY_LAST; ++key) {
+    if (view.dialog != Dialog::none) return;
+    if (!ImGui::IsKeyPressed(key, true)) continue;
+    Shortcut pressed = shortcut_of_glfw(key);
+    if (pressed.key == Shortcut::none || ui.has_keys(key)) continue;
+    pressed.ctrl = io.KeyCtrl;
+    pressed.shift = io.KeyShift;
+    pressed.alt = io.KeyAlt;
+    pressed.repeats = !ImGui::IsKeyPressed(key, false);
+    press(pressed, state, view, commands);
+  }
+}
+
 }  // namespace elbowroom

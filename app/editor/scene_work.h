@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the editor's background thread does with a scene: open files, look for contacts, plan.
+// What the editor's background thread does with a scene: look for contacts, plan.
 //
 // A SceneWork and its SceneCollision belong to that thread alone; results are values that can be
 // handed over. Every call answers its stop token within a fraction of a second, but for the

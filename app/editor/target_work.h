@@ -3,8 +3,8 @@
 // anything [SKF07 5], for the newest target only.
 //
 // Belongs to the target's thread alone. The scene's contacts are built at the first question, which
-// then takes as long as it takes; until then the window shows what posture() of target_posture.h
-// finds by limits alone.
+// then takes as long as it takes; until then the window shows what
+// posture_by_limits finds.
 #pragma once
 
 #include <memory>

@@ -208,15 +208,24 @@ class EditorWindow {
         io.KeysDown[key.key] = true;
         held.push_back(key.key);
       }
+    const bool control = io.KeyCtrl, shift = io.KeyShift, alt = io.KeyAlt;
+    for (const WindowInput::Key& key : pressed) {
+      io.KeyCtrl |= (key.modifiers & GLFW_MOD_CONTROL) != 0;
+      io.KeyShift |= (key.modifiers & GLFW_MOD_SHIFT) != 0;
+      io.KeyAlt |= (key.modifiers & GLFW_MOD_ALT) != 0;
+    }
     if (const auto at = std::exchange(input.pressed_at, std::nullopt)) io.MousePos = *at;
     ImGui::NewFrame();
     for (const int key : held) io.KeysDown[key] = false;
     ui_->begin_frame();
     Commands commands;
-    keys(pressed, commands);
+    press_keys(*ui_, editor_.state(), editor_.view(), commands);
     editor_ui_.draw(*ui_, editor_.state(), editor_.view(), commands);
     ui_->end_frame(editor_ui_.viewport().max.y);
     ImGui::Render();
+    io.KeyCtrl = control;
+    io.KeyShift = shift;
+    io.KeyAlt = alt;
     editor_.handle(commands);
     int width = 0, height = 0;
     glfwGetFramebufferSize(window_, &width, &height);
@@ -300,20 +309,6 @@ class EditorWindow {
     std::filesystem::rename(fresh, file, ignored);
   }
 
-  // Shortcuts, unless a text is being typed or a dialog has the word.
-  void keys(const std::vector<WindowInput::Key>& pressed, Commands& commands) {
-    if (ImGui::GetIO().WantTextInput || editor_.view().dialog != Dialog::none) return;
-    for (const WindowInput::Key& key : pressed) {
-      Shortcut shortcut = shortcut_of_glfw(key.key);
-      if (shortcut.key == Shortcut::none) continue;
-      shortcut.ctrl = (key.modifiers & GLFW_MOD_CONTROL) != 0;
-      shortcut.shift = (key.modifiers & GLFW_MOD_SHIFT) != 0;
-      shortcut.alt = (key.modifiers & GLFW_MOD_ALT) != 0;
-      shortcut.repeats = key.repeated;
-      press(shortcut, editor_.state(), editor_.view(), commands);
-    }
-  }
-
   GLFWwindow* window_;
   Gui gui_;
   SceneRenderer renderer_;
@@ -373,7 +368,10 @@ Status run_editor(const WindowOptions& options) {
   settings.view = window.editor().view();
   settings.recent_files = window.editor().recent_files();
   glfwGetWindowSize(glfw.window, &settings.window_width, &settings.window_height);
-  return write_settings(settings_path, settings);
+  // Settings that can't be kept are no reason for a session to have failed.
+  if (Status kept = write_settings(settings_path, settings); !kept)
+    std::fprintf(stderr, "elbowroom: %s\n", kept.error().message().c_str());
+  return Done{};
 }
 
 }  // namespace elbowroom

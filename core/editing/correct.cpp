@@ -78,7 +78,7 @@ Result<CorrectionOutcome> correct(SceneCollision& scene, const std::vector<int>&
         if (contact.deepest.limb == limb && contact.end >= window.begin &&
             contact.begin <= window.end)
           window.contacts.push_back(contact);
-      if (!window.contacts.empty()) windows.push_back(window);
+      if (!window.contacts.empty() || task.even_if_free) windows.push_back(window);
     } else {
       windows = propose_windows(scene, limb, contacts, clearance);
     }

@@ -59,6 +59,7 @@ struct Task {
   std::string limb = "auto";         // LIMB as on the command line; a reach names one
   std::optional<Interval> window;    // seconds; none: auto
   std::optional<HandTarget> target;  // of a reach
+  bool even_if_free = false;         // plan the window though nothing collides in it
   PlanningWishes wishes;
   bool operator==(const Task&) const = default;
 };

@@ -34,6 +34,7 @@ void History::commit() {
   if (!preview_) return;
   Document shown = std::move(*preview_);
   preview_.reset();
+  ++revision_;  // document() is another object, even where it holds the same
   apply(preview_name_, [&shown](Document& document) { document = std::move(shown); });
 }
 

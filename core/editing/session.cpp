@@ -2,6 +2,7 @@
 #include "core/editing/session.h"
 
 #include <algorithm>
+#include <set>
 
 namespace elbowroom {
 namespace {
@@ -13,6 +14,37 @@ bool is_usual(const std::string& name) {
   return name.empty() || name == "auto";
 }
 
+Status read_scene(const Document& document, Session& session) {
+  session.document = document;
+  auto scene = open_scene(document.scene);
+  if (!scene) return scene.error();
+  session.scene = std::move(*scene);
+  session.warnings = session.scene.warnings;
+  session.findings = find_limbs(session.scene.model(), session.character());
+  for (const auto& warning : session.findings.warnings) session.warnings.push_back(warning);
+  return Done{};
+}
+
+// Puts the limb named by its joints among those found. A contact is of one limb: those that share
+// joints with it give way.
+Status give_way_to(Session& session, const std::string& name) {
+  auto limb = limb_by_name(session.scene.model(), session.character(), name);
+  if (!limb) return limb.error();
+  const Skeleton& skeleton = session.scene.model().skeleton;
+  std::erase_if(session.findings.limbs, [&](const Limb& other) {
+    return skeleton.is_within(other.root, limb->root) || skeleton.is_within(limb->root, other.root);
+  });
+  session.findings.limbs.push_back(*limb);
+  return Done{};
+}
+
+Status fit(Session& session, const Limb& limb) {
+  auto fitted = fit_limb_model(session.scene.model(), session.character(), limb, session.findings);
+  if (!fitted) return fitted.error();
+  session.limbs.push_back(std::move(*fitted));
+  return Done{};
+}
+
 }  // namespace
 
 std::string Session::clip_name() const {
@@ -22,36 +54,33 @@ std::string Session::clip_name() const {
 
 Result<Session> open_session(const Document& document, const std::string& extra_limb) {
   Session session;
-  session.document = document;
-  auto scene = open_scene(document.scene);
-  if (!scene) return scene.error();
-  session.scene = std::move(*scene);
-  session.warnings = session.scene.warnings;
-  session.findings = find_limbs(session.scene.model(), session.character());
-  for (const auto& warning : session.findings.warnings) session.warnings.push_back(warning);
-
-  std::vector<Limb> limbs = session.findings.limbs;
+  if (Status read = read_scene(document, session); !read) return read.error();
   if (!is_usual(extra_limb)) {
-    auto limb = limb_by_name(session.scene.model(), session.character(), extra_limb);
-    if (!limb) return limb.error();
-    // A contact is of one limb: those that share joints with the one named give way to it.
-    const Skeleton& skeleton = session.scene.model().skeleton;
-    std::erase_if(limbs, [&](const Limb& other) {
-      return skeleton.is_within(other.root, limb->root) ||
-             skeleton.is_within(limb->root, other.root);
-    });
-    limbs.push_back(*limb);
+    if (Status added = give_way_to(session, extra_limb); !added) return added.error();
   }
-  for (const Limb& limb : limbs) {
-    auto fitted =
-        fit_limb_model(session.scene.model(), session.character(), limb, session.findings);
-    if (!fitted) {
-      if (&limb == &limbs.back() && !is_usual(extra_limb)) return fitted.error();
+  for (const Limb& limb : session.findings.limbs) {
+    if (Status fitted = fit(session, limb); !fitted) {
+      if (limb.name == extra_limb) return fitted.error();
       session.warnings.push_back(fitted.error().message());
-      continue;
     }
-    session.limbs.push_back(std::move(*fitted));
   }
+  return session;
+}
+
+Result<Session> open_project_session(const Document& document) {
+  Session session;
+  if (Status read = read_scene(document, session); !read) return read.error();
+  std::set<std::string> named = {document.draft.limb};
+  for (const Task& task : document.tasks) named.insert(task.limb);
+  for (const Correction& correction : document.corrections) named.insert(correction.limb);
+  for (const std::string& name : named) {
+    if (is_usual(name)) continue;
+    if (Status added = give_way_to(session, name); !added)
+      session.warnings.push_back(added.error().message());
+  }
+  for (const Limb& limb : session.findings.limbs)
+    if (Status fitted = fit(session, limb); !fitted)
+      session.warnings.push_back(fitted.error().message());
   return session;
 }
 

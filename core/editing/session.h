@@ -31,6 +31,10 @@ struct Session {
 // usual names: none.
 Result<Session> open_session(const Document& document, const std::string& extra_limb = {});
 
+// The same with every limb that the document's draft, tasks and corrections name by joints. Ones
+// that are not there any more are told of by a warning: what an editor opens should open.
+Result<Session> open_project_session(const Document& document);
+
 // The limb indices that LIMB (auto: every one) means. Error: no such limb, with what there is.
 Result<std::vector<int>> limbs_named(const Session& session, const std::string& limb);
 

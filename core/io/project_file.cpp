@@ -36,6 +36,12 @@ double number_of(const Json& value, const std::string& where) {
   return value.get<double>();
 }
 
+// A number that float32 can hold.
+float float_of(double value, const std::string& where) {
+  if (std::abs(value) > 1e30) throw Damage{where, "this number is too large"};
+  return static_cast<float>(value);
+}
+
 const Json& array_of(const Json& value, const std::string& where) {
   if (!value.is_array()) throw Damage{where, "this should be a list"};
   return value;
@@ -225,6 +231,8 @@ Document document_of(const Json& root, const std::filesystem::path& folder) {
       task.window = window_of(item, where);
       if (task.kind == TaskKind::reach)
         task.target = target_of(member(item, "target", where), where + "/target");
+      if (item.contains("even_if_free"))
+        task.even_if_free = flag_of(item["even_if_free"], where + "/even_if_free");
       task.wishes = wishes_of(item, where);
       document.tasks.push_back(task);
     }
@@ -237,8 +245,8 @@ Document document_of(const Json& root, const std::filesystem::path& folder) {
       if (item.contains("name")) correction.name = text_of(item["name"], where + "/name");
       correction.limb = text_of(member(item, "limb", where), where + "/limb");
       const auto window = numbers_of<2>(member(item, "window", where), where + "/window");
-      correction.begin = static_cast<float>(window[0]);
-      correction.end = static_cast<float>(window[1]);
+      correction.begin = float_of(window[0], where + "/window");
+      correction.end = float_of(window[1], where + "/window");
       if (item.contains("task")) correction.task = text_of(item["task"], where + "/task");
       if (item.contains("muted")) correction.muted = flag_of(item["muted"], where + "/muted");
       if (item.contains("made_with"))
@@ -249,9 +257,10 @@ Document document_of(const Json& root, const std::filesystem::path& folder) {
         object_of(entry, place);
         JointKeys keys;
         keys.joint = text_of(member(entry, "joint", place), place + "/joint");
-        keys.node = static_cast<int>(number_of(member(entry, "node", place), place + "/node"));
+        keys.node = static_cast<int>(
+            std::clamp(number_of(member(entry, "node", place), place + "/node"), -1.0, 1e9));
         for (const auto& time : array_of(member(entry, "times", place), place + "/times"))
-          keys.keys.times.push_back(static_cast<float>(number_of(time, place + "/times")));
+          keys.keys.times.push_back(float_of(number_of(time, place + "/times"), place + "/times"));
         for (const auto& value : array_of(member(entry, "rotations", place), place + "/rotations"))
           keys.keys.values.push_back(quat_of(value, place + "/rotations"));
         if (entry.contains("derivatives"))
@@ -318,7 +327,8 @@ Result<Document> read_project(const std::filesystem::path& file) {
   }
 }
 
-Status write_project(const std::filesystem::path& file, const Document& document) {
+Status write_project(const std::filesystem::path& file, const Document& document,
+                     const std::filesystem::path& opened_from) {
   const auto folder = file.parent_path();
   Json root;
   root["version"] = kVersion;
@@ -344,6 +354,7 @@ Status write_project(const std::filesystem::path& file, const Document& document
     item["limb"] = task.limb;
     item["window"] = json_of(task.window);
     if (task.target) item["target"] = json_of(*task.target);
+    if (task.even_if_free) item["even_if_free"] = true;
     put_wishes(item, task.wishes);
     root["tasks"].push_back(item);
   }
@@ -374,15 +385,20 @@ Status write_project(const std::filesystem::path& file, const Document& document
 
   std::error_code error;
   if (std::filesystem::exists(file, error)) {
-    auto old = parse_project(file);
-    if (!old)
+    if (auto old = parse_project(file); !old)
       return Error{"something else stands there: " + old.error().what, file.string(),
                    "save under another name"};
-    keep_unknown(root, *old);
-    if (old->contains("scene")) keep_unknown(root["scene"], (*old)["scene"]);
-    if (old->contains("tasks")) keep_unknown_in_list(root["tasks"], (*old)["tasks"]);
-    if (old->contains("corrections"))
-      keep_unknown_in_list(root["corrections"], (*old)["corrections"]);
+  }
+  const auto& carry = opened_from.empty() ? file : opened_from;
+  if (std::filesystem::exists(carry, error)) {
+    if (auto old = parse_project(carry)) {
+      keep_unknown(root, *old);
+      for (const char* part : {"scene", "draft"})
+        if (old->contains(part)) keep_unknown(root[part], (*old)[part]);
+      if (old->contains("tasks")) keep_unknown_in_list(root["tasks"], (*old)["tasks"]);
+      if (old->contains("corrections"))
+        keep_unknown_in_list(root["corrections"], (*old)["corrections"]);
+    }
   }
   // Non-UTF-8 bytes of a name are replaced rather than thrown over.
   const std::string text = root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -35,8 +35,9 @@ namespace elbowroom {
 // Error: not a project, damaged (with the place), or of a newer version than this program knows.
 Result<Document> read_project(const std::filesystem::path& file);
 
-// Writes to a temporary name and renames. Unknown keys of a project that stands there already are
-// carried over.
-Status write_project(const std::filesystem::path& file, const Document& document);
+// Writes to a temporary name and renames. Unknown keys are carried over from the project that the
+// document was opened from; without one, from a project that stands there already.
+Status write_project(const std::filesystem::path& file, const Document& document,
+                     const std::filesystem::path& opened_from = {});
 
 }  // namespace elbowroom

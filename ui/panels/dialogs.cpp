@@ -32,6 +32,7 @@ void Dialogs::draw(const PanelContext& context) {
       shortcuts(context);
       break;
     case Dialog::discard:
+    case Dialog::discard_for_opening:
       unsaved(context);
       break;
     default:
@@ -92,12 +93,16 @@ void Dialogs::files(const PanelContext& context) {
   if (path) {
     switch (shown_) {
       case Dialog::open:
-      case Dialog::add_object:
         context.emit(command::OpenFiles{{*path}});
+        break;
+      case Dialog::add_object:
+        context.emit(command::OpenFiles{{*path}, true});
         break;
       case Dialog::save_project:
         context.emit(command::SaveProject{*path});
-        if (quit_after_saving_) context.emit(command::Quit{});
+        if (after_saving_ == Dialog::discard) context.emit(command::Quit{});
+        if (after_saving_ == Dialog::discard_for_opening)
+          context.emit(command::AnswerOpening{true});
         break;
       case Dialog::export_clip:
         context.emit(command::Export{*path});
@@ -108,7 +113,7 @@ void Dialogs::files(const PanelContext& context) {
   }
   if (path || !file_dialog_.open) {
     context.view.dialog = Dialog::none;
-    quit_after_saving_ = false;
+    after_saving_ = Dialog::none;
   }
 }
 
@@ -151,18 +156,18 @@ void Dialogs::unsaved(const PanelContext& context) {
   question.dangerous = 1;
   const auto answer = ask(context.ui, open, question);
   if (!answer && open) return;
+  const bool quitting = shown_ == Dialog::discard;
   context.view.dialog = Dialog::none;
-  if (answer == 0) {
-    if (context.state.has_project) {
-      context.emit(command::SaveProject{});
-      context.emit(command::Quit{});
-    } else {
-      quit_after_saving_ = true;
-      context.view.dialog = Dialog::save_project;
-    }
-  } else if (answer == 1) {
-    context.emit(command::Quit{true});
+  if (answer == 0 && !context.state.has_project) {
+    // The save dialog goes on from here.
+    after_saving_ = shown_;
+    context.view.dialog = Dialog::save_project;
+    return;
   }
+  if (answer == 0) context.emit(command::SaveProject{});
+  if (quitting && answer == 0) context.emit(command::Quit{});
+  if (quitting && answer == 1) context.emit(command::Quit{true});
+  if (!quitting) context.emit(command::AnswerOpening{answer == 0 || answer == 1});
 }
 
 }  // namespace elbowroom

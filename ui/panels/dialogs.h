@@ -20,7 +20,7 @@ class Dialogs {
 
   FileDialog file_dialog_;
   Dialog shown_ = Dialog::none;
-  bool quit_after_saving_ = false;
+  Dialog after_saving_ = Dialog::none;  // what the save dialog was opened for
 };
 
 }  // namespace elbowroom

@@ -58,8 +58,12 @@ void draw_limb_tab(const PanelContext& context) {
     if (edit.cancelled)
       context.emit(
           command::SetSampling{dof.name, Interval{range.low, range.high}, Phase::cancelled});
-    else if (edit)
-      context.emit(command::SetSampling{dof.name, Interval{range.low, range.high}, phase_of(edit)});
+    else if (edit) {
+      // Back at the limb's own interval: that is no wish.
+      std::optional<Interval> wanted = Interval{range.low, range.high};
+      if (range.low == dof.default_lower && range.high == dof.default_upper) wanted.reset();
+      context.emit(command::SetSampling{dof.name, wanted, phase_of(edit)});
+    }
   }
 }
 

@@ -26,11 +26,11 @@ void draw_planner_tab(const PanelContext& context) {
     options.maximum = state.end;
     options.hint = "Where the plan leaves the clip, and where it is back on it";
     Edit edit = number_input(ui, "From", window.lower, options);
-    if (!edit)
-      edit = number_input(ui, "To", window.upper, options);
-    else
-      number_input(ui, "To", window.upper, options);
-    if (edit)
+    const Edit to = number_input(ui, "To", window.upper, options);
+    if (!edit && !edit.cancelled) edit = to;
+    if (edit.cancelled)
+      context.emit(command::SetWindow{window, Phase::cancelled});
+    else if (edit)
       context.emit(command::SetWindow{window, edit.committed ? Phase::committed : Phase::changing});
   } else {
     note(ui, "Drag on the limb's row in the timeline, or click a red mark.");
@@ -51,7 +51,8 @@ void draw_planner_tab(const PanelContext& context) {
   seed_options.maximum = 1e9;
   seed_options.hint = "The same seed and settings give the same motion again";
   const Edit seed_edit = number_input(ui, "Seed", seed, seed_options);
-  wishes.seed = static_cast<std::uint64_t>(std::llround(seed));
+  // What is not edited stays as it is, be it beyond what can be entered here.
+  if (seed_edit) wishes.seed = static_cast<std::uint64_t>(std::llround(seed));
   changed(seed_edit, "Seed " + std::to_string(wishes.seed));
 
   double clearance = wishes.clearance;
@@ -77,7 +78,7 @@ void draw_planner_tab(const PanelContext& context) {
   budget.drag_step = 50;
   budget.hint = "How long to search before giving up, in rounds of the search";
   const Edit budget_edit = number_input(ui, "Iterations", iterations, budget);
-  wishes.max_iterations = static_cast<int>(std::lround(iterations));
+  if (budget_edit) wishes.max_iterations = static_cast<int>(std::lround(iterations));
   changed(budget_edit, "Iterations");
 
   double alternatives = wishes.alternatives;
@@ -88,7 +89,7 @@ void draw_planner_tab(const PanelContext& context) {
   ways.drag_step = 0.1;
   ways.hint = "How many motions to plan; the best of them is shown";
   const Edit ways_edit = number_input(ui, "Best of", alternatives, ways);
-  wishes.alternatives = static_cast<int>(std::lround(alternatives));
+  if (ways_edit) wishes.alternatives = static_cast<int>(std::lround(alternatives));
   changed(ways_edit, "Best of " + std::to_string(wishes.alternatives));
 }
 

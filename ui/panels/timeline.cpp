@@ -164,10 +164,8 @@ void carry_out(const PanelContext& context, const TimelineEvent& event) {
       context.emit(command::Scrub{event.time});
       break;
     case Kind::window_drawn:
-      if (event.row != state.limb) context.emit(command::SelectLimb{event.row});
-      [[fallthrough]];
     case Kind::window_changed:
-      context.emit(command::SetWindow{Interval{event.begin, event.end}, phase});
+      context.emit(command::SetWindow{Interval{event.begin, event.end}, phase, event.row});
       break;
     case Kind::mark_moved:
       if (event.mark == 0 && state.document->draft.target) {

@@ -178,7 +178,10 @@ Edit number_input(Ui& ui, std::string_view label, double& value, const NumberOpt
       }
     }
     if (ImGui::IsItemDeactivated()) {
-      if (memory[2] == 1) edit.committed = value != memory[1];
+      if (memory[2] == 1) {
+        edit.committed = value != memory[1];
+        edit.cancelled = value == memory[1];
+      }
       memory[2] = 0;
     }
     if (hovered && options.reset_to && ImGui::IsMouseClicked(1)) {

@@ -277,7 +277,9 @@ Edit range_slider(Ui& ui, std::string_view name, RangeModel& m, const RangeOptio
     }
   }
   if (let_go && kept[kGrip] != kNone) {
-    edit.committed |= kept[kMoved] != 0 && (m.low != kept[kStartLow] || m.high != kept[kStartHigh]);
+    const bool same = m.low == kept[kStartLow] && m.high == kept[kStartHigh];
+    edit.committed |= kept[kMoved] != 0 && !same;
+    edit.cancelled |= kept[kMoved] != 0 && same;
     kept[kGrip] = kNone;
     kept[kMoved] = 0;
   }
@@ -287,6 +289,7 @@ Edit range_slider(Ui& ui, std::string_view name, RangeModel& m, const RangeOptio
                     (kept[kHasKeys] != 0 || (ImGui::IsItemFocused() && io.NavVisible)) &&
                     ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
   if (keys) {
+    ui.take_keys();
     const double keys_low = m.low, keys_high = m.high;
     const double step = (options.key_step > 0 ? options.key_step / std::abs(per) : unit_step) *
                         (io.KeyShift  ? 0.1

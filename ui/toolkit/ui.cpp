@@ -25,6 +25,7 @@ void Ui::begin_frame() {
   probe_.clear();
   path_.clear();
   hint_.clear();
+  takes_keys_ = false;
   if (ImGui::GetIO().MouseDown[0] == false && memory_.size() > 4096) memory_.clear();
 }
 
@@ -37,6 +38,15 @@ void Ui::end_frame(float bottom) {
   float y = (bottom > 0 ? bottom : io.DisplaySize.y) - px(12);
   for (std::size_t i = toasts_.size(); i-- > 0;) draw_toast(i, y);
   last_hint_ = hint_;
+  last_takes_keys_ = takes_keys_;
+}
+
+bool Ui::has_keys(int key) const {
+  if (!last_takes_keys_) return false;
+  for (const ImGuiKey taken : {ImGuiKey_LeftArrow, ImGuiKey_RightArrow, ImGuiKey_UpArrow,
+                               ImGuiKey_DownArrow, ImGuiKey_Home, ImGuiKey_Enter})
+    if (ImGui::GetKeyIndex(taken) == key) return true;
+  return false;
 }
 
 void Ui::toast(Tone tone, std::string text, std::string remedy) {

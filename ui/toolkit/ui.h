@@ -27,7 +27,7 @@ struct Edit {
   bool began = false;
   bool changed = false;    // the value is another than in the last frame
   bool committed = false;  // let go, and the value is another than at the beginning
-  bool cancelled = false;  // Escape: the value is the one from the beginning again
+  bool cancelled = false;  // Escape, or let go there: the value is the one from the beginning
   explicit operator bool() const { return changed || committed; }
 };
 
@@ -66,6 +66,12 @@ class Ui {
   const std::vector<Toast>& toasts() const { return toasts_; }
   // Whether something moves by itself (a toast about to go), so that idle windows draw on.
   bool animating() const;
+
+  // For widgets that answer arrows, Home and Enter while they were clicked last, in every frame in
+  // which they do; shortcuts then leave these keys alone.
+  void take_keys() { takes_keys_ = true; }
+  // Whether a widget has that key of Dear ImGui's, as of the last whole frame.
+  bool has_keys(int key) const;
 
   Probe& probe() { return probe_; }
   const Probe& probe() const { return probe_; }
@@ -109,6 +115,7 @@ class Ui {
   Probe probe_;
   std::vector<std::string> path_;
   std::string hint_, last_hint_;
+  bool takes_keys_ = false, last_takes_keys_ = false;
   std::vector<Toast> toasts_;
   std::unordered_map<ImGuiID, std::vector<double>> memory_;
   std::unordered_map<ImGuiID, std::string> text_memory_;

@@ -69,7 +69,7 @@ void UiDriver::frame(int count) {
     ImGui::NewFrame();
     ui_->begin_frame();
     if (draw_) draw_(*ui_);
-    ui_->end_frame();
+    ui_->end_frame(messages_above_);
     cursor_ = ImGui::GetMouseCursor();
     ImGui::Render();
   }

@@ -33,6 +33,8 @@ class UiDriver {
   Ui& ui() { return *ui_; }
   void show(std::function<void(Ui&)> draw);
   void resize(float width, float height);
+  // Messages pop up above that height; 0: above the window's lower edge.
+  void keep_messages_above(float height) { messages_above_ = height; }
 
   void frame(int count = 1);
   void wait(double seconds);  // one frame that takes so long
@@ -71,6 +73,7 @@ class UiDriver {
   ImGuiContext* context_ = nullptr;
   std::unique_ptr<Ui> ui_;
   std::function<void(Ui&)> draw_;
+  float messages_above_ = 0;
   ImGuiMouseCursor cursor_ = ImGuiMouseCursor_Arrow;
 };
 
