@@ -121,6 +121,8 @@ void Dialogs::shortcuts(const PanelContext& context) {
   Ui& ui = context.ui;
   bool open = true;
   if (begin_dialog(ui, "Keyboard shortcuts", open, {640, 640})) {
+    // The columns keep clear of each other.
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(28), ImGui::GetStyle().ItemSpacing.y});
     ImGui::Columns(2, "columns", false);
     for (const std::string_view menu : menus()) {
       bool any = false;
@@ -139,6 +141,7 @@ void Dialogs::shortcuts(const PanelContext& context) {
     label(ui, "Pan", maya ? "Alt middle drag" : "Right or Shift middle drag");
     label(ui, "Zoom", maya ? "Wheel, Alt right drag" : "Wheel, Ctrl middle drag");
     ImGui::Columns(1);
+    ImGui::PopStyleVar();
     end_dialog(ui);
   }
   if (!open) context.view.dialog = Dialog::none;

@@ -71,6 +71,16 @@ void draw_menus(const PanelContext& context, const Rect& rect) {
   ImGui::PopStyleVar(5);
 }
 
+// Where the menus begin, and about where they end.
+float menus_begin(const Ui& ui) {
+  return size_of(ui.fonts().semibold, "Elbowroom").x + 2 * ui.px(ui.theme().metrics.padding);
+}
+float menus_end(const Ui& ui) {
+  float x = menus_begin(ui);
+  for (const std::string_view menu : menus()) x += size_of(ui.fonts().regular, menu).x + ui.px(28);
+  return x;
+}
+
 void draw_bar(const PanelContext& context, const Rect& rect) {
   Ui& ui = context.ui;
   const float pad = ui.px(ui.theme().metrics.padding);
@@ -79,14 +89,16 @@ void draw_bar(const PanelContext& context, const Rect& rect) {
   ImFont* bold = ui.fonts().semibold;
   draw_text(list, bold, {rect.min.x + pad, middle(rect.min.y, rect.height(), bold)},
             ui.colour(Tone::text), "Elbowroom");
-  // What is open, in the middle.
+  // What is open, in the middle, or beside the menus where they reach so far.
   if (context.state.open()) {
     ImFont* font = ui.fonts().regular;
     const std::string& text = context.state.name;
-    const ImVec2 size = size_of(font, text);
-    const float x = std::floor(0.5f * (rect.min.x + rect.max.x) - 0.5f * size.x);
+    ImVec2 size = size_of(font, text);
+    const float x = std::max(std::floor(0.5f * (rect.min.x + rect.max.x) - 0.5f * size.x),
+                             std::floor(rect.min.x + menus_end(ui) + ui.px(8)));
     const float y = middle(rect.min.y, rect.height(), font);
-    draw_text(list, font, {x, y}, ui.colour(Tone::text), text);
+    size.x = std::clamp(rect.max.x - ui.px(110) - x, 1.0f, size.x);
+    draw_text(list, font, {x, y}, ui.colour(Tone::text), text, size.x);
     if (context.state.dirty)
       draw_icon(list, Icon::dot, {x + size.x + ui.px(13), rect.min.y + 0.5f * rect.height()},
                 ui.px(14), ui.colour(Tone::selection));
@@ -116,11 +128,9 @@ void draw_bar(const PanelContext& context, const Rect& rect) {
 
 void draw_menu_bar(const PanelContext& context, const Rect& rect) {
   const Ui& ui = context.ui;
-  const float name =
-      size_of(ui.fonts().semibold, "Elbowroom").x + 2 * ui.px(ui.theme().metrics.padding);
+  const float name = menus_begin(ui);
   draw_bar(context, rect);
-  draw_menus(context,
-             {{rect.min.x + name, rect.min.y}, {rect.min.x + 0.42f * rect.width(), rect.max.y}});
+  draw_menus(context, {{rect.min.x + name, rect.min.y}, {rect.max.x - ui.px(90), rect.max.y}});
 }
 
 }  // namespace elbowroom

@@ -25,4 +25,15 @@ std::string degrees_text(double radians, int decimals) {
   return number_text(radians * 180 / kPi, decimals, "°");
 }
 
+std::string duration_text(double milliseconds) {
+  return milliseconds < 1000 ? number_text(milliseconds, 0, "ms")
+                             : number_text(milliseconds / 1000, 1, "s");
+}
+
+std::string sentence(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
+    text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
 }  // namespace elbowroom

@@ -31,6 +31,10 @@ std::string time_text(const EditorState& state, const ViewState& view, double t)
 // A length for people, in metres or smaller: "3.1 cm", "0.8 mm". Scene units are taken as metres.
 std::string length_text(double metres);
 std::string degrees_text(double radians, int decimals = 0);
+// How long something took: "240 ms", "8.7 s".
+std::string duration_text(double milliseconds);
+// With a capital at its beginning, if that is a plain letter.
+std::string sentence(std::string text);
 
 void draw_menu_bar(const PanelContext& context, const Rect& rect);
 void draw_outliner(const PanelContext& context, const Rect& rect);

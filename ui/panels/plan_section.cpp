@@ -15,7 +15,7 @@ void candidate_card(const PanelContext& context) {
   const Candidate& candidate = *context.state.candidate;
   const WindowReport& report = candidate.report;
   Ui& ui = context.ui;
-  heading(ui, "Plan", "found in " + number_text(report.total_ms, 0, "ms"));
+  heading(ui, "Plan", "found in " + duration_text(report.total_ms));
   std::vector<CardRow> rows = {
       {"clearance in the scene", length_text(candidate.scene_clearance)},
       {"from the clip, at most", degrees_text(report.deviation_from_clip)},
@@ -73,7 +73,9 @@ void draw_plan_section(const PanelContext& context) {
     options.right = seconds;
     std::optional<double> fraction;
     if (state.planning.fraction >= 0) fraction = state.planning.fraction;
-    if (progress(ui, state.planning.what, fraction, options)) context.emit(command::CancelPlan{});
+    // One name for all phases: a click on Cancel holds while the phase changes under it.
+    if (progress(ui, sentence(state.planning.what) + "###Planning", fraction, options))
+      context.emit(command::CancelPlan{});
   } else {
     ButtonOptions options;
     options.look = ButtonLook::primary;
@@ -89,6 +91,14 @@ void draw_plan_section(const PanelContext& context) {
     } else {
       text = "Plan first problem";
       options.hint = "Choose the limb's first problem and find a motion around it";
+      const auto limb = static_cast<std::size_t>(state.limb);
+      if (state.strip && state.strip->complete() && limb < state.strip->limbs.size() &&
+          state.strip->limbs[limb].windows.empty()) {
+        text = "Plan";
+        options.enabled = false;
+        options.why_not =
+            "This limb collides nowhere. Drag on its row in the timeline to choose a window.";
+      }
     }
     if (button(ui, text + "###Plan", options)) context.emit(command::Plan{});
     // The seed, beside it: another seed is another way.

@@ -10,7 +10,7 @@ namespace elbowroom {
 namespace {
 
 std::string job_text(const JobState& job) {
-  std::string text = job.what;
+  std::string text = sentence(job.what);
   if (job.fraction >= 0) text += " " + std::to_string(std::lround(100 * job.fraction)) + " %";
   return text + "…";
 }
@@ -26,7 +26,7 @@ Word news(const EditorState& state) {
     if (job->active) return {job_text(*job), Tone::accent, Icon::none};
   if (state.candidate)
     return {state.candidate->task.name + ": planned and verified in " +
-                number_text(state.candidate->report.total_ms, 0, "ms"),
+                duration_text(state.candidate->report.total_ms),
             Tone::ghost, Icon::check};
   if (state.failure)
     return {limb_title(state.failure->limb) + ": no motion found", Tone::problem, Icon::warning};

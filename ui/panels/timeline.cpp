@@ -241,6 +241,7 @@ void transport(const PanelContext& context, const Rect& rect) {
     right -= ui.px(8);
   };
   const float control = ui.theme().metrics.control;
+  constexpr float kList = 28;  // a list's height, pixels at 100 %
   static constexpr double kSpeeds[] = {0.25, 0.5, 1, 2};
   std::vector<std::string> speeds;
   int chosen = -1;
@@ -251,7 +252,7 @@ void transport(const PanelContext& context, const Rect& rect) {
   ComboOptions speed;
   speed.width = 76;
   speed.hint = "How fast the clip plays";
-  place(ui.px(speed.width), control);
+  place(ui.px(speed.width), kList);
   if (combo(ui, "##Speed", chosen, speeds, speed)) context.emit(command::SetSpeed{kSpeeds[chosen]});
   const auto& clips = state.session->scene.model().clips;
   if (clips.size() > 1) {
@@ -262,7 +263,7 @@ void transport(const PanelContext& context, const Rect& rect) {
     ComboOptions options;
     options.width = wide > ui.px(1100) ? 190 : 120;
     options.hint = "Which clip of the file is played and corrected";
-    place(ui.px(options.width), control);
+    place(ui.px(options.width), kList);
     if (combo(ui, "##Clip", clip, names, options))
       context.emit(command::ChooseClip{std::to_string(clip)});
   }

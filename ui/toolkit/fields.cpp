@@ -223,10 +223,17 @@ TextEdit text_input(Ui& ui, std::string_view label, std::string& text, const Tex
   ImGui::SetNextItemWidth(line.box.width());
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                       {ui.px(8), std::floor((line.box.height() - ImGui::GetFontSize()) / 2)});
-  if (options.focus) ImGui::SetKeyboardFocusHere();
+  // Whoever is led to a field types over what it proposes; the focus comes a frame later.
+  ImGuiStorage& storage = *ImGui::GetStateStorage();
+  const ImGuiID led_here = ImGui::GetID("led here");
+  if (options.focus) {
+    ImGui::SetKeyboardFocusHere();
+    storage.SetBool(led_here, true);
+  }
   const std::string before = text;
   const std::string placeholder(options.placeholder);
   ImGuiInputTextFlags flags = ImGuiInputTextFlags_EnterReturnsTrue;
+  if (storage.GetBool(led_here)) flags |= ImGuiInputTextFlags_AutoSelectAll;
   if (options.complete) flags |= ImGuiInputTextFlags_CallbackCompletion;
   const auto complete = [](ImGuiInputTextCallbackData* data) {
     const auto& completion = static_cast<const TextOptions*>(data->UserData)->complete;
@@ -241,6 +248,7 @@ TextEdit text_input(Ui& ui, std::string_view label, std::string& text, const Tex
       options.complete ? static_cast<ImGuiInputTextCallback>(complete) : nullptr,
       const_cast<TextOptions*>(&options));
   edit.began = ImGui::IsItemActivated();
+  if (edit.began) storage.SetBool(led_here, false);
   edit.changed = text != before;
   // Escape reverts the text by itself, and then there is nothing to commit.
   const bool escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
@@ -329,6 +337,7 @@ bool combo(Ui& ui, std::string_view label, int& chosen, const std::vector<std::s
       }
       ui.record(WidgetKind::menu_item, entry, at, end, {}, true, i == chosen);
     }
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar(2);

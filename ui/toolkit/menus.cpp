@@ -13,6 +13,13 @@ void push_menu_style(Ui& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(14), ui.px(9)});
 }
 
+// Escape closes the innermost one; Dear ImGui itself does so only when menus are walked by
+// keyboard.
+void close_on_escape() {
+  if (ImGui::IsWindowFocused() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false))
+    ImGui::CloseCurrentPopup();
+}
+
 }  // namespace
 
 bool begin_menu(Ui& ui, std::string_view label, bool enabled) {
@@ -24,6 +31,7 @@ bool begin_menu(Ui& ui, std::string_view label, bool enabled) {
   const bool open = ImGui::BeginMenu(text.c_str(), enabled);
   if (open) {
     ui.enter(label);
+    close_on_escape();
   } else {
     ImGui::PopStyleVar(2);
   }
@@ -53,6 +61,7 @@ bool begin_popup(Ui& ui, const char* id) {
   const bool open = ImGui::BeginPopup(id);
   if (open) {
     ui.enter(id);
+    close_on_escape();
   } else {
     ImGui::PopStyleVar(2);
   }

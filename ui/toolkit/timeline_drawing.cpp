@@ -337,7 +337,7 @@ void draw_timeline(Ui& ui, const TimelineModel& model, const TimelineLayout& lay
       const auto value = curve.dashed ? std::nullopt : value_at(curve, model.time);
       if (!value || layout.curves.height() < ui.px(40)) continue;
       draw_text(list, small, {layout.labels.min.x + pad, y + regular->FontSize + ui.px(2)},
-                ui.colour(curve.tone),
+                ui.colour(*value < model.threshold ? Tone::problem : curve.tone),
                 number_text(*value * model.curve_shown_per_value, 1, model.curve_unit), label_room);
       break;
     }
