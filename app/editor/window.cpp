@@ -187,7 +187,9 @@ class EditorWindow {
     const double scale = scale_ * content_;
     apply(theme, scale);
     const Fonts fonts = load_fonts(*ImGui::GetIO().Fonts, theme, scale);
+    // Made anew here: the backend does so only when it makes everything, in its first frame.
     ImGui_ImplOpenGL3_DestroyFontsTexture();
+    if (ui_) ImGui_ImplOpenGL3_CreateFontsTexture();
     if (ui_)
       ui_->restyle(theme, fonts, scale);
     else
