@@ -293,6 +293,13 @@ void Editor::export_to(const std::filesystem::path& path) {
                                  "", "replan, mute or delete it, then export again"});
       return;
     }
+  // The source is never changed: it is what corrections lie over when the project is opened again.
+  std::error_code ignored;
+  if (std::filesystem::equivalent(path, history_.document().scene.character, ignored)) {
+    tell(Notice::Kind::error, {"the character's own file is not written over", path.string(),
+                               "export under another name"});
+    return;
+  }
   begin_job(exporting_, state_.exporting, "Exporting " + path.filename().string());
   exporting_.stop = files_thread_.run([this, path, source = history_.document().scene.character,
                                        clip = state_.clip, ticket = exporting_.ticket,

@@ -102,12 +102,14 @@ glm::dvec2 Viewport::mouse_in_picture() const {
 void Viewport::draw(const PanelContext& context, const Rect& rect, const SceneFrame& scene) {
   rect_ = rect;
   camera_keys(context, scene);
-  const Panel panel(context.ui, "Viewport", rect, {PanelGround::none, false, false});
+  // Not inside the viewport's own panel, which would lie over it and take its clicks: of panels,
+  // the one made first is on top.
   if (!context.state.open()) {
     drag_ = Drag::none;
     draw_welcome(context, rect);
     return;
   }
+  const Panel panel(context.ui, "Viewport", rect, {PanelGround::none, false, false});
   ImGui::SetCursorScreenPos(rect.min);
   ImGui::InvisibleButton("picture", {rect.width(), rect.height()},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |

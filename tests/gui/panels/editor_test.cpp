@@ -422,11 +422,11 @@ TEST_F(EditorTest, CorrectionsThatNoLongerFitAreFlaggedAndStopAnExport) {
   const double begin = state().begin, length = state().end - begin;
   ASSERT_TRUE(correct(0, begin + 0.1 * length, begin + 0.7 * length));
   const Correction made = driver.document().corrections.front();
-  // A second one that begins where only the first one's keys lead: made for another motion.
+  // A second one, made for a figure with other joints.
   Document document = driver.document();
   document.corrections.push_back(made);
   document.corrections.back().name = "stranger";
-  for (JointKeys& joint : document.corrections.back().joints) joint.joint = "someone else's joint";
+  for (JointKeys& joint : document.corrections.back().joints) joint.node = 1 << 20;
   ASSERT_TRUE(driver.open(document));
   ASSERT_EQ(state().corrections.size(), 2u);
   EXPECT_TRUE(state().corrections[0].fits);

@@ -335,21 +335,23 @@ TEST_F(Panels, PlanSectionInAllStates) {
   EXPECT_FALSE(state().planning.active);
   ui().frame(2);
   EXPECT_TRUE(ui().has("Plan/Plan"));
-  // Without room to search in it fails, and says so.
-  PlanningWishes hopeless = wishes();
-  hopeless.max_iterations = 1;
-  hopeless.clearance = 50;
-  driver().handle(SetWishes{hopeless, "Hopeless"});
-  driver().handle(Plan{});
-  ASSERT_TRUE(driver().wait_until([&] { return !state().planning.active; }));
-  if (state().failure) {
-    EXPECT_FALSE(state().candidate.has_value());
-    EXPECT_NE(ui().value("News").find("no motion found"), std::string::npos);
-    EXPECT_NE(ui().dump().find("No motion found"), std::string::npos);
-    EXPECT_FALSE(ui().has("Accept"));
+  // A failure says why, what was in the way and what to try.
+  {
+    EditorState failed = state();
+    failed.failure = PlanFailure{draft().limb, "the way is blocked", "hand with post", 1, 2};
+    ViewState view = driver().view();
+    EditorUi panels;
+    Commands commands;
+    UiDriver window(1600, 1000);
+    window.show([&](Ui& toolkit) { panels.draw(toolkit, failed, view, commands); });
+    EXPECT_NE(window.value("News").find("no motion found"), std::string::npos);
+    const ProbedWidget* note = window.widget("No motion found: the way is blocked");
+    ASSERT_NE(note, nullptr);
+    EXPECT_NE(note->value.find("hand with post"), std::string::npos);
+    EXPECT_FALSE(window.has("Accept"));
+    EXPECT_TRUE(window.has("Plan/Plan"));
   }
-  driver().handle(Discard{});
-  driver().handle(Undo{});
+  ui().frame();  // back in the first context
   // A candidate: a card with numbers; Del forgets it, Enter takes it.
   ASSERT_TRUE(driver().plan(arm));
   ui().frame(2);
