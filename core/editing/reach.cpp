@@ -23,8 +23,6 @@ constexpr double kScanRate = 120;       // Hz, of the contacts listed before and
 
 double as_float32(double t) { return static_cast<double>(static_cast<float>(t)); }
 
-IkTarget ik_target(const HandTarget& target) { return {target.position, target.orientation}; }
-
 // The window's ends nearest to the usual ones at which the limb is free with `clearance` (or, with
 // none, does not touch), at least `least` from t_b; nothing if there is none within the clip.
 std::optional<double> free_end(SceneCollision& scene, int limb, double t_b, double direction,
@@ -58,13 +56,13 @@ double time_for(const DofSpace& space, const Dofs& a, const Dofs& b) {
 }
 
 // Parameters' velocity at t_b of an end held still in the world, at constant swivel.
-Dofs holding_velocity(const WindowProblem& p, const HandTarget& target, double t_b,
+Dofs holding_velocity(const WindowProblem& p, const IkTarget& target, double t_b,
                       const IkResult& posture) {
   const auto held_at = [&](double t) -> std::optional<Dofs> {
     if (t <= p.begin || t >= p.end) return std::nullopt;
     const auto ik = limb_ik_at(*p.scene, p.limb_index, t, p.residual_at(t));
     if (!ik) return std::nullopt;
-    const auto solutions = ik->solve_at_swivel(ik_target(target), posture.swivel, posture.state.q);
+    const auto solutions = ik->solve_at_swivel(target, posture.swivel, posture.state.q);
     std::optional<Dofs> best;
     double least = 0.5;  // rad: farther is another branch
     for (int i = 0; i < solutions.count; ++i) {
@@ -131,7 +129,6 @@ Status check_task(const SceneCollision& scene, int limb, const Task& task, const
   }
   if (!finite)
     return Error{"the target's place or time is not a number", where, "give finite numbers"};
-  if (target.grasp) return Error{"aiming a grasp frame is not supported", where, "aim the wrist"};
   const double t = as_float32(target.time);
   if (!(t > as_float32(clip->begin) && t < as_float32(clip->end)))
     return Error{"the target's time is not inside the clip", where,
@@ -179,7 +176,7 @@ class Reach {
     PostureAt held;
     held.time = t_b_;
     held.state = posture_.state;
-    held.velocity = holding_velocity(problem_, *task_.target, t_b_, posture_);
+    held.velocity = holding_velocity(problem_, goal_, t_b_, posture_);
     problem_.postures.insert(problem_.postures.begin() + 1, held);
     return plan_window(std::move(problem_), task_.wishes, stop_, progress_);
   }
@@ -220,12 +217,26 @@ class Reach {
     return true;
   }
 
+  // The end joint by the clip.
+  Mat4 end_at(double t) const {
+    std::vector<ActorState> states;
+    actor_state_at(scene_.world(), scene_.actor(), t, states);
+    return states[static_cast<std::size_t>(scene_.actor())]
+        .world_from_joint[static_cast<std::size_t>(problem_.limb->limb.end)];
+  }
+
   bool find_posture() {
     const auto ik = limb_ik_at(scene_, limb_, t_b_, problem_.residual_at(t_b_));
     if (!ik) {
       reason_ = ik.error().message();
       return false;
     }
+    const auto goal = wrist_target(*ik, end_at(t_b_), *task_.target);
+    if (!goal) {
+      reason_ = goal.error().message();
+      return false;
+    }
+    goal_ = *goal;
     SwivelSearch settings;
     settings.near = problem_.track->at(t_b_).q;
     settings.limits = &problem_.space;
@@ -233,7 +244,7 @@ class Reach {
     const double touching = 2 * scene_.settings().epsilon * scene_.height();
     for (const double clearance : {clearance_, touching}) {
       posture_ =
-          search_free_posture(scene_, limb_, *ik, t_b_, *task_.target, settings, clearance, stop_);
+          search_free_posture(scene_, limb_, *ik, t_b_, goal_, settings, clearance, stop_);
       if (posture_.status != IkStatus::in_collision) break;
     }
     if (posture_.solved()) {
@@ -270,6 +281,7 @@ class Reach {
   const ProgressSink& progress_;
   double t_b_, clearance_;
   WindowProblem problem_;
+  IkTarget goal_;
   IkResult posture_;
   std::string reason_, blocked_by_;
 };
@@ -292,14 +304,14 @@ Result<LimbIk> limb_ik_at(const SceneCollision& scene, int limb, double t,
 }
 
 IkResult search_free_posture(SceneCollision& scene, int limb, const LimbIk& ik, double t,
-                             const HandTarget& target, const SwivelSearch& settings,
+                             const IkTarget& target, const SwivelSearch& settings,
                              double clearance, const std::stop_token& stop) {
   const auto valid = [&](const LimbState& state) {
     if (stop.stop_requested()) return false;
     scene.pose_limb(limb, &state);
     return !scene.limb_in_contact(t, limb, clearance);
   };
-  const IkResult result = search_swivel(ik, ik_target(target), settings, valid);
+  const IkResult result = search_swivel(ik, target, settings, valid);
   scene.pose_limb(limb, nullptr);
   return result;
 }

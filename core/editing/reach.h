@@ -14,6 +14,7 @@
 
 #include "core/editing/correct.h"
 #include "core/editing/plan_window.h"
+#include "core/editing/wrist_target.h"
 #include "core/ik/swivel_search.h"
 
 namespace elbowroom {
@@ -41,7 +42,7 @@ Result<LimbIk> limb_ik_at(const SceneCollision& scene, int limb, double t,
 // A posture for the target that keeps `clearance` on the deformed skin at time t. The scene poses
 // the limb by its clip again afterwards.
 IkResult search_free_posture(SceneCollision& scene, int limb, const LimbIk& ik, double t,
-                             const HandTarget& target, const SwivelSearch& settings,
+                             const IkTarget& target, const SwivelSearch& settings,
                              double clearance, const std::stop_token& stop = {});
 
 // Why there is no posture, for people; empty if there is one.
