@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/anatomy/bind_geometry.h"
 #include "core/anatomy/limb_names.h"
@@ -148,10 +149,12 @@ class Finder {
     return joint;
   }
 
-  void add(const Role role, const std::array<Vec3, 3>& triangle) {
+  // `grown`: the surface goes on over the rest of the body.
+  void add(const Role role, bool grown, const std::array<Vec3, 3>& triangle) {
     if (!finite(triangle[0]) || !finite(triangle[1]) || !finite(triangle[2])) return;
-    parts_.all.triangles.push_back(triangle);
-    if (role == Role::palm) parts_.palm.triangles.push_back(triangle);
+    HandParts& parts = grown ? parts_ : loose_;
+    parts.all.triangles.push_back(triangle);
+    if (role == Role::palm) parts.palm.triangles.push_back(triangle);
   }
 
   // The role that a triangle's corners share; palm where they differ, none if one is not the hand's.
@@ -172,7 +175,7 @@ class Finder {
           continue;
         deform(model_, mesh, pose, globals_, positions);
         for (const auto& t : mesh.triangles)
-          add(roles_[static_cast<std::size_t>(mesh.node)],
+          add(roles_[static_cast<std::size_t>(mesh.node)], false,
               {positions[t.x], positions[t.y], positions[t.z]});
         continue;
       }
@@ -189,12 +192,47 @@ class Finder {
             heaviest = &mesh.influences[i];
         if (heaviest) role[v] = roles_[static_cast<std::size_t>(heaviest->joint)];
       }
+      const std::vector<char> grown = goes_on(mesh, role);
       deform(model_, mesh, pose, globals_, positions);
       for (const auto& t : mesh.triangles) {
         const Role all = shared(role[t.x], role[t.y], role[t.z]);
-        if (all != Role::none) add(all, {positions[t.x], positions[t.y], positions[t.z]});
+        if (all != Role::none)
+          add(all, grown[t.x] != 0, {positions[t.x], positions[t.y], positions[t.z]});
       }
     }
+    if (!parts_.all.triangles.empty()) return;
+    parts_.all = std::move(loose_.all);
+    parts_.palm = std::move(loose_.palm);
+  }
+
+  // By vertex: whether its piece of the surface, welded by position, has vertices that are not the
+  // hand's. A weapon that is skinned to the hand has none.
+  static std::vector<char> goes_on(const Mesh& mesh, const std::vector<Role>& role) {
+    const std::size_t count = mesh.positions.size();
+    std::vector<std::uint32_t> above(count);
+    std::iota(above.begin(), above.end(), 0u);
+    const auto top = [&](std::uint32_t v) {
+      while (above[v] != v) v = above[v] = above[above[v]];
+      return v;
+    };
+    std::vector<std::uint32_t> order = above;
+    const auto key = [&](std::uint32_t v) {
+      const glm::vec3& p = mesh.positions[v];
+      return std::array<float, 3>{p.x, p.y, p.z};
+    };
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+    for (std::size_t i = 1; i < count; ++i)
+      if (key(order[i - 1]) == key(order[i])) above[top(order[i])] = top(order[i - 1]);
+    for (const auto& t : mesh.triangles) {
+      above[top(t.y)] = top(t.x);
+      above[top(t.z)] = top(t.x);
+    }
+    std::vector<char> other(count, 0), result(count, 0);
+    for (std::uint32_t v = 0; v < count; ++v)
+      if (role[v] == Role::none) other[top(v)] = 1;
+    for (std::uint32_t v = 0; v < count; ++v) result[v] = other[top(v)];
+    return result;
   }
 
   const Model& model_;
@@ -204,7 +242,7 @@ class Finder {
   bool foot_;
   std::vector<Role> roles_;  // by joint
   std::vector<int> roots_, fingers_, thumbs_;
-  HandParts parts_;
+  HandParts parts_, loose_;  // loose: pieces of surface that are the hand's alone
 };
 
 }  // namespace
