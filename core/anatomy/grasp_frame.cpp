@@ -116,8 +116,7 @@ std::optional<Facing> by_fingers(const GraspEvidence& e, const HandParts& hand, 
     Vec3 y = palm_of(line.most);
     if (line.width > kClearSpread * length &&
         (!has_thumb || std::abs(glm::dot(thumb, line.most)) > std::cos(60 * kDegree))) {
-      if (has_thumb)
-        return Facing{glm::dot(thumb, line.most) < 0 ? -y : y, "knuckles and thumb"};
+      if (has_thumb) return Facing{glm::dot(thumb, line.most) < 0 ? -y : y, "knuckles and thumb"};
       if (guess)
         return Facing{glm::dot(*guess, y) < 0 ? -y : y,
                       "knuckles, their palm's side guessed by where the elbow bends to"};
@@ -144,9 +143,9 @@ std::optional<Facing> by_skin(const GraspEvidence& e, const HandParts& hand, con
 Result<GraspFrame> fit_grasp_frame(const GraspEvidence& e) {
   const bool leg = e.limb.kind == LimbKind::left_leg || e.limb.kind == LimbKind::right_leg;
   const std::string part = leg ? "sole" : "palm";
-  const std::string where =
-      e.model.path.filename().string() + ", joint '" +
-      e.model.skeleton.joints[static_cast<std::size_t>(e.limb.end)].name + "'";
+  const std::string where = e.model.path.filename().string() + ", joint '" +
+                            e.model.skeleton.joints[static_cast<std::size_t>(e.limb.end)].name +
+                            "'";
   const auto unknown = [&](const std::string& why) {
     return Error{"the " + part + " cannot be told: " + why, where, "aim the end joint itself"};
   };

@@ -37,9 +37,10 @@ namespace elbowroom {
 
 struct GraspFrame {
   Vec3 origin{0.0};
-  Vec3 x{1, 0, 0}, y{0, 1, 0};  // directions in the joint's axes, unit, across in the world as bound
-  double beyond = 0;            // how far the hand's skin stands out past the origin along y, as bound
-  std::string from;             // what it rests on, for people
+  Vec3 x{1, 0, 0},
+      y{0, 1, 0};     // directions in the joint's axes, unit, across in the world as bound
+  double beyond = 0;  // how far the hand's skin stands out past the origin along y, as bound
+  std::string from;   // what it rests on, for people
 };
 
 // What the fit of the joint models knows besides.

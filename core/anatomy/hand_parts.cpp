@@ -11,7 +11,7 @@
 namespace elbowroom {
 namespace {
 
-constexpr double kRootFrom = 1.0 / 3;  // of the way to a chain's end: nearer is a metacarpal
+constexpr double kRootFrom = 1.0 / 3;         // of the way to a chain's end: nearer is a metacarpal
 constexpr double kThumbOff = 25 * kPi / 180;  // from the mean of the other branches
 
 // What a joint is to the hand. Whatever is below a thumb or a finger is of it.
@@ -157,7 +157,8 @@ class Finder {
     if (role == Role::palm) parts.palm.triangles.push_back(triangle);
   }
 
-  // The role that a triangle's corners share; palm where they differ, none if one is not the hand's.
+  // The role that a triangle's corners share; palm where they differ, none if one is not the
+  // hand's.
   static Role shared(Role a, Role b, Role c) {
     if (a == Role::none || b == Role::none || c == Role::none) return Role::none;
     return a == b && b == c ? a : Role::palm;

@@ -22,7 +22,7 @@ struct HandParts {
   // With fingers and thumb. Pieces of surface that are not connected with the rest of the body (a
   // weapon skinned to the hand) count only where there is nothing else.
   HandSkin all;
-  HandSkin palm;         // of the joints that are no finger beyond its root and no thumb
+  HandSkin palm;  // of the joints that are no finger beyond its root and no thumb
 };
 
 // Of the joint `end` and what is below it. `with_siblings`: joints beside it that are fingers by

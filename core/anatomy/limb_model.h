@@ -42,8 +42,8 @@ struct LimbModel {
   Limb limb;
   std::array<JointModel, 3> joints;  // root, middle, end
   std::vector<DrivenJoint> driven;
-  DofSpace space;                  // names, limits, default sampling intervals, speed limits
-  std::string flexion_axis_from;   // how the middle joint's axis was found, for people
+  DofSpace space;                 // names, limits, default sampling intervals, speed limits
+  std::string flexion_axis_from;  // how the middle joint's axis was found, for people
   // The palm (the sole) in the end joint's axes; the error says why it can't be told.
   Result<GraspFrame> grasp = Error{"the limb is not fitted", "", ""};
   std::vector<std::string> notes;  // where a joint's model is another than usual, and why

@@ -18,8 +18,13 @@ constexpr double kRateStep = 1e-3;      // s, of the holding velocity
 constexpr double kSpeedShare = 0.9;     // of the speed limits that the holding velocity may have
 constexpr double kWayFactor = 2;        // a smooth way there peaks at about twice its mean speed
 constexpr double kAtLimit = 1e-3;       // rad
-constexpr int kMaxChecks = 800;         // of the skin in one search
-constexpr double kScanRate = 120;       // Hz, of the contacts listed before and after
+// Checks of the skin in one search: at the clearance, and then without touching. Where neither
+// finds a posture each check costs, so the wish for room gets the smaller share.
+constexpr int kChecksAtClearance = 200;
+constexpr int kChecksTouching = 600;
+constexpr int kPostures = 3;                     // planned to, one after the other
+constexpr double kSwivelApart = 20 * kPi / 180;  // of them
+constexpr double kScanRate = 120;                // Hz, of the contacts listed before and after
 
 double as_float32(double t) { return static_cast<double>(static_cast<float>(t)); }
 
@@ -173,17 +178,78 @@ class Reach {
       least_before = std::max(least_before, before);
       least_after = std::max(least_after, after);
     }
-    PostureAt held;
-    held.time = t_b_;
-    held.state = posture_.state;
-    held.velocity = holding_velocity(problem_, goal_, t_b_, posture_);
-    problem_.postures.insert(problem_.postures.begin() + 1, held);
-    return plan_window(std::move(problem_), task_.wishes, stop_, progress_);
+    return plan_through_postures();
   }
 
  private:
   void tell(const std::string& phase) const {
     if (progress_) progress_({phase, -1});
+  }
+
+  // To the posture found, and where there is no way to it, to others that reach the target, each
+  // the farthest in swivel from those tried.
+  WindowPlan plan_through_postures() {
+    std::vector<double> tried;
+    std::vector<std::string> attempts;
+    for (;;) {
+      PostureAt held;
+      held.time = t_b_;
+      held.state = posture_.state;
+      held.velocity = holding_velocity(problem_, goal_, t_b_, posture_);
+      WindowProblem problem = problem_;
+      problem.postures.insert(problem.postures.begin() + 1, held);
+      WindowPlan plan = plan_window(std::move(problem), task_.wishes, stop_, progress_);
+      tried.push_back(posture_.swivel);
+      if (tried.size() > 1) {
+        char text[80];
+        std::snprintf(text, sizeof text, "posture %zu, swivel %.0f°: ", tried.size(),
+                      posture_.swivel * 180 / kPi);
+        for (std::string& attempt : plan.report.attempts) attempt.insert(0, text);
+      }
+      attempts.insert(attempts.end(), plan.report.attempts.begin(), plan.report.attempts.end());
+      plan.report.attempts = attempts;
+      if (plan.correction || stop_.stop_requested() || tried.size() == kPostures) return plan;
+      // The report is the last one's, which failed as the others did.
+      if (!find_other_posture(tried)) return plan;
+    }
+  }
+
+  // A free posture away from the swivels tried.
+  bool find_other_posture(const std::vector<double>& tried) {
+    const auto ik = limb_ik_at(scene_, limb_, t_b_, problem_.residual_at(t_b_));
+    if (!ik) return false;
+    const auto distance = [&](double swivel) {
+      double least = 2 * kPi;
+      for (const double other : tried)
+        least = std::min(least, std::abs(std::remainder(swivel - other, 2 * kPi)));
+      return least;
+    };
+    SwivelSearch settings;
+    settings.near = problem_.track->at(t_b_).q;
+    settings.limits = &problem_.space;
+    settings.max_checks = kChecksAtClearance;
+    // The middle of the widest gap between them.
+    double start = 0, farthest = -1;
+    for (int i = 0; i < 72; ++i) {
+      const double swivel = -kPi + 2 * kPi * i / 72;
+      if (distance(swivel) <= farthest + 1e-9) continue;
+      farthest = distance(swivel);
+      start = swivel;
+    }
+    settings.initial = start;
+    const double touching = 2 * scene_.settings().epsilon * scene_.height();
+    const double width = farthest - kSwivelApart;
+    if (!(width > 0)) return false;
+    settings.lower = start - width;
+    settings.upper = start + width;
+    for (const double clearance : {clearance_, touching}) {
+      IkResult other =
+          search_free_posture(scene_, limb_, *ik, t_b_, goal_, settings, clearance, stop_);
+      if (!other.solved() || distance(other.swivel) < kSwivelApart) continue;
+      posture_ = std::move(other);
+      return true;
+    }
+    return false;
   }
 
   bool can_widen(int direction) const {
@@ -240,11 +306,10 @@ class Reach {
     SwivelSearch settings;
     settings.near = problem_.track->at(t_b_).q;
     settings.limits = &problem_.space;
-    settings.max_checks = kMaxChecks;
     const double touching = 2 * scene_.settings().epsilon * scene_.height();
     for (const double clearance : {clearance_, touching}) {
-      posture_ =
-          search_free_posture(scene_, limb_, *ik, t_b_, goal_, settings, clearance, stop_);
+      settings.max_checks = clearance == clearance_ ? kChecksAtClearance : kChecksTouching;
+      posture_ = search_free_posture(scene_, limb_, *ik, t_b_, goal_, settings, clearance, stop_);
       if (posture_.status != IkStatus::in_collision) break;
     }
     if (posture_.solved()) {
@@ -304,8 +369,8 @@ Result<LimbIk> limb_ik_at(const SceneCollision& scene, int limb, double t,
 }
 
 IkResult search_free_posture(SceneCollision& scene, int limb, const LimbIk& ik, double t,
-                             const IkTarget& target, const SwivelSearch& settings,
-                             double clearance, const std::stop_token& stop) {
+                             const IkTarget& target, const SwivelSearch& settings, double clearance,
+                             const std::stop_token& stop) {
   const auto valid = [&](const LimbState& state) {
     if (stop.stop_requested()) return false;
     scene.pose_limb(limb, &state);

@@ -9,11 +9,12 @@
 namespace elbowroom {
 namespace {
 
-constexpr int kTurns = 12;             // to either side
+constexpr int kTurns = 12;              // to either side
 constexpr double kTurn = kPi / kTurns;  // radians
-constexpr double kSpare = 1.01;        // a hand at the clearance itself is not clear
+constexpr double kSpare = 1.01;         // a hand at the clearance itself is not clear
 
-// The palm's x on the surface: where it points, or, if that is into it, where its back or side does.
+// The palm's x on the surface: where it points, or, if that is into it, where its back or side
+// does.
 std::optional<Vec3> along_surface(const Quat& palm, const Vec3& normal) {
   const Vec3 x = palm * Vec3(1, 0, 0);
   if (const auto along = direction_across(x, normal)) return along;

@@ -14,10 +14,10 @@ Result<IkTarget> wrist_target(const LimbIk& ik, const Mat4& world_from_end,
   if (!ik.uniform())
     return Error{"the rig is scaled unevenly: its hand changes with the posture", limb.limb.name,
                  remedy};
-  const Quat orientation = target.orientation ? glm::normalize(*target.orientation)
-                                              : grasp_place(*limb.grasp, world_from_end).orientation;
-  const EndPlacement end =
-      end_for_grasp(*limb.grasp, world_from_end, target.position, orientation);
+  const Quat orientation = target.orientation
+                               ? glm::normalize(*target.orientation)
+                               : grasp_place(*limb.grasp, world_from_end).orientation;
+  const EndPlacement end = end_for_grasp(*limb.grasp, world_from_end, target.position, orientation);
   return IkTarget{end.position, end.rotation};
 }
 

@@ -19,8 +19,8 @@ struct Case {
   std::string file;
   // Where palms face as bound, written down from looking at them, parts of (down, forward, inward).
   Vec3 palm;
-  double apart;    // of left and right, × the hand's length
-  double turned;   // of left and right, degrees
+  double apart;          // of left and right, × the hand's length
+  double turned;         // of left and right, degrees
   bool has_feet = true;  // their legs don't end in what nothing follows
 };
 
@@ -66,7 +66,8 @@ class GraspOnSamples : public testing::TestWithParam<Case> {
       const auto fitted = fit_limb_model(*model_, character, limb, findings);
       if (!fitted || !fitted->grasp) {
         const bool leg = kind == LimbKind::left_leg || kind == LimbKind::right_leg;
-        EXPECT_TRUE(leg && !GetParam().has_feet) << (fitted ? fitted->grasp.error() : fitted.error()).message();
+        EXPECT_TRUE(leg && !GetParam().has_feet)
+            << (fitted ? fitted->grasp.error() : fitted.error()).message();
         return result;
       }
       const auto globals = bind_globals(*model_, character);
@@ -78,19 +79,19 @@ class GraspOnSamples : public testing::TestWithParam<Case> {
       centre /= static_cast<double>(findings.limbs.size());
       const double side = glm::dot(root - centre, body.left) >= 0 ? 1 : -1;
       const auto in_body = [&](const Vec3& v) {
-        return Vec3(side * glm::dot(v, body.left), glm::dot(v, body.up),
-                    glm::dot(v, body.forward));
+        return Vec3(side * glm::dot(v, body.left), glm::dot(v, body.up), glm::dot(v, body.forward));
       };
       result.found = true;
       result.length = glm::distance(origin(globals, limb.end), origin(globals, limb.middle));
       result.place = in_body(place.position - Vec3(end[3])) / result.length;
       result.x = in_body(place.orientation * Vec3(1, 0, 0));
       result.y = in_body(place.orientation * Vec3(0, 1, 0));
-      std::printf("  %-10s place %6.3f %6.3f %6.3f  x %5.2f %5.2f %5.2f  y %5.2f %5.2f %5.2f  "
-                  "beyond %.3f  %s\n",
-                  limb.name.c_str(), result.place.x, result.place.y, result.place.z, result.x.x,
-                  result.x.y, result.x.z, result.y.x, result.y.y, result.y.z,
-                  place.beyond / result.length, fitted->grasp->from.c_str());
+      std::printf(
+          "  %-10s place %6.3f %6.3f %6.3f  x %5.2f %5.2f %5.2f  y %5.2f %5.2f %5.2f  "
+          "beyond %.3f  %s\n",
+          limb.name.c_str(), result.place.x, result.place.y, result.place.z, result.x.x, result.x.y,
+          result.x.z, result.y.x, result.y.y, result.y.z, place.beyond / result.length,
+          fitted->grasp->from.c_str());
     }
     return result;
   }
@@ -103,9 +104,8 @@ double degrees_between(const Vec3& a, const Vec3& b) {
 }
 
 TEST_P(GraspOnSamples, LeftAndRightAreMirrorImages) {
-  for (const auto& [left_kind, right_kind] :
-       {std::pair(LimbKind::left_arm, LimbKind::right_arm),
-        std::pair(LimbKind::left_leg, LimbKind::right_leg)}) {
+  for (const auto& [left_kind, right_kind] : {std::pair(LimbKind::left_arm, LimbKind::right_arm),
+                                              std::pair(LimbKind::left_leg, LimbKind::right_leg)}) {
     const Seen left = seen(left_kind), right = seen(right_kind);
     ASSERT_EQ(left.found, right.found);
     if (!left.found) continue;
@@ -119,8 +119,8 @@ TEST_P(GraspOnSamples, PalmsFaceWhereTheyAreSeenToAndSolesDown) {
   for (const LimbKind kind : {LimbKind::left_arm, LimbKind::right_arm}) {
     const Seen arm = seen(kind);
     if (!arm.found) continue;
-    const Vec3 wanted = glm::normalize(
-        Vec3(-GetParam().palm.z, -GetParam().palm.x, GetParam().palm.y));
+    const Vec3 wanted =
+        glm::normalize(Vec3(-GetParam().palm.z, -GetParam().palm.x, GetParam().palm.y));
     EXPECT_LT(degrees_between(arm.y, wanted), 40) << static_cast<int>(kind);
     // On the palm's side of the wrist, and out along the hand.
     EXPECT_GT(glm::dot(arm.place, arm.x), 0);

@@ -192,12 +192,12 @@ class Trial {
     const double slack = 1e-5 * ik_.length();
     const auto wrong = [&](const char* what) {
       char text[200];
-      std::snprintf(text, sizeof text,
-                    "out of reach, but %s: %s, target at %.9g of the length, %.3g short, shown %.9g "
-                    "from it",
-                    what, ik_status_id(result.status), distance / ik_.length(),
-                    result.miss / ik_.length(),
-                    glm::distance(shown.position, target.position) / ik_.length());
+      std::snprintf(
+          text, sizeof text,
+          "out of reach, but %s: %s, target at %.9g of the length, %.3g short, shown %.9g "
+          "from it",
+          what, ik_status_id(result.status), distance / ik_.length(), result.miss / ik_.length(),
+          glm::distance(shown.position, target.position) / ik_.length());
       problem(counts_.outside_wrong, text);
     };
     if (result.status != IkStatus::out_of_reach || !(result.miss > 0))

@@ -55,8 +55,8 @@ void add_hands_and_feet(Body& body) {
     const auto hand = x(0.70, 0.84), foot = x(0.06, 0.14);
     add_slab(body, joints[test::kHand], Vec3(hand.first, 1.44, -0.04),
              Vec3(hand.second, 1.46, 0.04), placement);
-    add_slab(body, joints[test::kFoot], Vec3(foot.first, 0, -0.08),
-             Vec3(foot.second, 0.1, 0.2), placement);
+    add_slab(body, joints[test::kFoot], Vec3(foot.first, 0, -0.08), Vec3(foot.second, 0.1, 0.2),
+             placement);
   }
 }
 
@@ -90,10 +90,10 @@ std::vector<BodyOptions> bodies() {
   all[3].yaw = 2;
   all[4].axes_seed = 10;
   all[4].root_scale = Vec3(-1, 1, 1);  // left becomes right
-  all[5].left = {"LeftShoulder", "LeftArm", "LeftForeArm", "LeftHand", "LeftHandIndex1",
-                 "LeftHandThumb1", "LeftUpLeg", "LeftLeg", "LeftFoot", "LeftToeBase"};
-  all[5].right = {"RightShoulder", "RightArm", "RightForeArm", "RightHand", "RightHandIndex1",
-                  "RightHandThumb1", "RightUpLeg", "RightLeg", "RightFoot", "RightToeBase"};
+  all[5].left = {"LeftShoulder",   "LeftArm",   "LeftForeArm", "LeftHand", "LeftHandIndex1",
+                 "LeftHandThumb1", "LeftUpLeg", "LeftLeg",     "LeftFoot", "LeftToeBase"};
+  all[5].right = {"RightShoulder",   "RightArm",   "RightForeArm", "RightHand", "RightHandIndex1",
+                  "RightHandThumb1", "RightUpLeg", "RightLeg",     "RightFoot", "RightToeBase"};
   return all;
 }
 
@@ -179,8 +179,7 @@ TEST(GraspFrame, SaysWhyItCannotBeTold) {
   std::vector<Mat4> globals = bind_globals(body.model, body.character());
   const LimbModel limb = test::fit(body, LimbKind::left_arm);
   GraspEvidence evidence{body.model, body.character(), limb.limb, globals};
-  globals[static_cast<std::size_t>(limb.limb.end)] =
-      Mat4(std::numeric_limits<double>::quiet_NaN());
+  globals[static_cast<std::size_t>(limb.limb.end)] = Mat4(std::numeric_limits<double>::quiet_NaN());
   const auto broken = fit_grasp_frame(evidence);
   ASSERT_FALSE(broken.ok());
   EXPECT_NE(broken.error().what.find("palm"), std::string::npos);
