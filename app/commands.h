@@ -31,6 +31,7 @@ struct ReachOptions {
   PlanOptions plan;
   std::string target;  // "X,Y,Z[,QX,QY,QZ,QW]"
   double at = 0;       // seconds
+  bool grasp = false;  // the target is the palm's
 };
 int run_reach(const ReachOptions& options, std::stop_token stop);
 

@@ -91,6 +91,9 @@ int main(int argc, char** argv) {
                    "where the wrist (ankle) joint shall be, in the world, and its rotation there")
       ->type_name("X,Y,Z[,QX,QY,QZ,QW]")
       ->required();
+  reach_command->add_flag("--grasp", reach.grasp,
+                          "the target is the palm's (the sole's) instead of the wrist's: x along "
+                          "the hand, y the way the palm faces");
   reach_command->add_option("--at", reach.at, "when, seconds")->type_name("T")->required();
 
   SolveOptions solve;

@@ -21,6 +21,7 @@ int run_reach(const ReachOptions& options, std::stop_token stop) {
   }
   task.target = *target;
   task.target->time = options.at;
+  task.target->grasp = options.grasp;
   return run_task(options.plan, task, stop);
 }
 

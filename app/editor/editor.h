@@ -22,6 +22,7 @@
 #include "app/editor/target_work.h"
 #include "core/collision/surface_picker.h"
 #include "core/editing/history.h"
+#include "core/editing/surface_target.h"
 #include "ui/commands.h"
 #include "ui/editor_state.h"
 
@@ -118,6 +119,8 @@ class Editor {
   // editor_target.cpp
   void target_changed();
   void click(const command::Click& click);
+  HandTarget target_on(const SurfacePoint& point, const LimbModel& limb,
+                       const ActorState& figure) const;
   void target_from_posture();
 
   struct Running {

@@ -1,42 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The hand target: where a click puts it, and the posture that follows it.
-#include <algorithm>
-#include <cmath>
-
 #include "app/editor/editor.h"
 #include "ui/scene_frame.h"
 
 namespace elbowroom {
-namespace {
-
-// How far the hand's (foot's) skin goes beyond the end joint in the bind pose: the room that a
-// target on a surface leaves for it. Scene units.
-double end_length(const Session& session, const Limb& limb) {
-  const Model& model = session.scene.model();
-  const Character& character = session.character();
-  const auto globals = bind_globals(model, character);
-  const Vec3 from(globals[static_cast<std::size_t>(limb.end)][3]);
-  double length = 0;
-  std::vector<Vec3> positions;
-  const Pose pose = rest_pose(model.skeleton);
-  for (const int m : character.meshes) {
-    const Mesh& mesh = model.meshes[static_cast<std::size_t>(m)];
-    if (mesh.skin < 0) continue;
-    deform(model, mesh, pose, globals, positions);
-    for (std::size_t v = 0; v + 1 < mesh.influence_begin.size(); ++v) {
-      const Influence* heaviest = nullptr;
-      for (std::uint32_t i = mesh.influence_begin[v]; i < mesh.influence_begin[v + 1]; ++i)
-        if (!heaviest || mesh.influences[i].weight > heaviest->weight)
-          heaviest = &mesh.influences[i];
-      if (heaviest && model.skeleton.is_within(heaviest->joint, limb.end))
-        length = std::max(length, glm::length(positions[v] - from));
-    }
-  }
-  return length;
-}
-
-}  // namespace
-
 void Editor::target_changed() {
   targeting_.stop.request_stop();
   targeting_.ticket = next_ticket_++;  // what it has posted already is of the target before
@@ -77,6 +44,22 @@ void Editor::target_from_posture() {
        [&](Document& document) { document.draft.target = target; });
 }
 
+// The palm on the surface if limits let it lie there, in any direction, else the wrist near it.
+HandTarget Editor::target_on(const SurfacePoint& point, const LimbModel& limb,
+                             const ActorState& figure) const {
+  const double clearance = wishes().clearance > 0
+                               ? wishes().clearance
+                               : CollisionSettings{}.clearance * session_->character().height;
+  const Mat4& end = figure.world_from_joint[static_cast<std::size_t>(limb.limb.end)];
+  const double length = hand_length(session_->scene.model(), session_->character(), limb.limb);
+  const auto targets = surface_targets(limb, end, point, clearance, length, state_.time);
+  for (const HandTarget& target : targets) {
+    const TargetQuestion question{session_, state_.clip, state_.limb, target, clearance};
+    if (posture_by_limits(question).status == TargetView::Status::solved) return target;
+  }
+  return targets.back();
+}
+
 void Editor::click(const command::Click& click) {
   if (!session_ || !state_.clip) return;
   World world = session_->scene.world;
@@ -98,9 +81,7 @@ void Editor::click(const command::Click& click) {
                                    "click a body or an object; drag the target from there"});
       return;
     }
-    HandTarget target;
-    target.time = state_.time;
-    target.position = hit->place + hit->normal * end_length(*session_, limb->limb);
+    const HandTarget target = target_on({hit->place, hit->normal}, *limb, states.front());
     edit("Place hand target", Phase::committed,
          [&](Document& document) { document.draft.target = target; });
     return;

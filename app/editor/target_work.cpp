@@ -35,8 +35,13 @@ TargetView view_of(const IkResult& result, const LimbModel& limb) {
   return view;
 }
 
-// The IK of the limb at the target's time, as the clip has the rest of the body.
-Result<LimbIk> ik_at(const TargetQuestion& question, const LimbModel& limb) {
+// The IK of the limb at the target's time, as the clip has the rest of the body, and what it is
+// to reach.
+struct Aim {
+  LimbIk ik;
+  IkTarget target;
+};
+Result<Aim> aim_at(const TargetQuestion& question, const LimbModel& limb) {
   const Model& model = question.session->scene.model();
   World world;
   world.actors.push_back(question.session->scene.world.actors.front());
@@ -48,8 +53,13 @@ Result<LimbIk> ik_at(const TargetQuestion& question, const LimbModel& limb) {
   const Mat4 world_from_parent = parent >= 0
                                      ? figure.world_from_joint[static_cast<std::size_t>(parent)]
                                      : world.actors.front().world_from_file;
-  return LimbIk::build(limb, model.skeleton, figure.pose, world_from_parent,
-                       limb_state(limb, figure.pose).residual);
+  auto ik = LimbIk::build(limb, model.skeleton, figure.pose, world_from_parent,
+                          limb_state(limb, figure.pose).residual);
+  if (!ik) return ik.error();
+  const auto end = static_cast<std::size_t>(limb.limb.end);
+  const auto target = wrist_target(*ik, figure.world_from_joint[end], question.target);
+  if (!target) return target.error();
+  return Aim{std::move(*ik), *target};
 }
 
 SwivelSearch search_in(const DofSpace& limits) {
@@ -76,11 +86,10 @@ TargetView no_question(const Error& error) {
 
 TargetView posture_by_limits(const TargetQuestion& question) {
   const LimbModel& limb = question.session->limbs[static_cast<std::size_t>(question.limb)];
-  const auto ik = ik_at(question, limb);
-  if (!ik) return no_question(ik.error());
-  const DofSpace limits = limits_for(limb, *ik);
-  const IkTarget target{question.target.position, question.target.orientation};
-  return view_of(search_swivel(*ik, target, search_in(limits)), limb);
+  const auto aim = aim_at(question, limb);
+  if (!aim) return no_question(aim.error());
+  const DofSpace limits = limits_for(limb, aim->ik);
+  return view_of(search_swivel(aim->ik, aim->target, search_in(limits)), limb);
 }
 
 TargetView TargetWork::posture(const TargetQuestion& question, const std::stop_token& stop) {
@@ -100,16 +109,16 @@ TargetView TargetWork::posture(const TargetQuestion& question, const std::stop_t
       question.clearance > 0 ? question.clearance : scene_->settings().clearance * scene_->height();
   const double touching = scene_->settings().epsilon * scene_->height();
   const LimbModel& limb = scene_->limbs()[static_cast<std::size_t>(question.limb)];
-  const auto ik = ik_at(question, limb);
-  if (!ik) return no_question(ik.error());
-  const DofSpace limits = limits_for(limb, *ik);
+  const auto aim = aim_at(question, limb);
+  if (!aim) return no_question(aim.error());
+  const DofSpace limits = limits_for(limb, aim->ik);
   SwivelSearch search = search_in(limits);
   search.max_checks = kMostChecks;
   // With room to spare if there is such a posture, else one that merely does not touch.
   TargetView view;
   for (const double distance : {clearance, touching}) {
-    view = view_of(search_free_posture(*scene_, question.limb, *ik, question.target.time,
-                                       question.target, search, distance, stop),
+    view = view_of(search_free_posture(*scene_, question.limb, aim->ik, question.target.time,
+                                       aim->target, search, distance, stop),
                    limb);
     if (view.status != TargetView::Status::in_collision) break;
   }

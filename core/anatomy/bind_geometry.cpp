@@ -58,6 +58,12 @@ std::optional<Vec3> direction_across(const Vec3& v, const Vec3& axis) {
   return direction(across);
 }
 
+std::optional<Quat> frame_of(const Vec3& x, const Vec3& y) {
+  const auto across = direction_across(y, x);
+  if (!across) return std::nullopt;
+  return glm::normalize(glm::quat_cast(Mat3(x, *across, glm::cross(x, *across))));
+}
+
 bool is_skin_joint(const Character& character, int joint) {
   return std::binary_search(character.joints.begin(), character.joints.end(), joint);
 }

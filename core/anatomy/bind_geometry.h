@@ -25,6 +25,10 @@ std::optional<Vec3> direction(const Vec3& v);
 // The part of v across the unit vector `axis`, at length 1; nothing if v is along it.
 std::optional<Vec3> direction_across(const Vec3& v, const Vec3& axis);
 
+// Right-handed frame with the unit vector `x` as its x and y as near to `y` as it can be; nothing
+// if they are along each other.
+std::optional<Quat> frame_of(const Vec3& x, const Vec3& y);
+
 // Whether a skin of the character uses the joint.
 bool is_skin_joint(const Character& character, int joint);
 

@@ -88,13 +88,6 @@ Quat bound_rotation(const Rig& rig, int joint) {
   return rotation_of(local);
 }
 
-// Right-handed frame with x as given and y as near to `y` as it can be.
-std::optional<Quat> frame_of(const Vec3& x, const Vec3& y) {
-  const auto across = direction_across(y, x);
-  if (!across) return std::nullopt;
-  return glm::normalize(glm::quat_cast(Mat3(x, *across, glm::cross(x, *across))));
-}
-
 // Local rotations of a joint over all clips of the file, at a regular rate.
 std::vector<Quat> clip_rotations(const Model& model, int joint) {
   std::vector<Quat> rotations;
@@ -492,6 +485,9 @@ Result<LimbModel> fit_limb_model(const Model& model, const Character& character,
 
   const std::array<LimbJointRole, 3> roles = {LimbJointRole::root, LimbJointRole::middle,
                                               LimbJointRole::end};
+  fitted.grasp = fit_grasp_frame({model, character, limb, rig.globals, rig.side, -rig.body.up,
+                                  *lower, rig.side * glm::cross(*lower, middle->bound_y),
+                                  fitted.joints[2].kind == JointModelKind::fixed});
   for (std::size_t i = 0; i < 3; ++i) {
     JointModel& joint = fitted.joints[i];
     joint.first_dof = fitted.space.count();

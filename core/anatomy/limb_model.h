@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include "core/anatomy/grasp_frame.h"
 #include "core/anatomy/joint_model.h"
 #include "core/anatomy/limb.h"
 #include "core/animation/clip.h"
@@ -41,8 +42,10 @@ struct LimbModel {
   Limb limb;
   std::array<JointModel, 3> joints;  // root, middle, end
   std::vector<DrivenJoint> driven;
-  DofSpace space;                  // names, limits, default sampling intervals, speed limits
-  std::string flexion_axis_from;   // how the middle joint's axis was found, for people
+  DofSpace space;                 // names, limits, default sampling intervals, speed limits
+  std::string flexion_axis_from;  // how the middle joint's axis was found, for people
+  // The palm (the sole) in the end joint's axes; the error says why it can't be told.
+  Result<GraspFrame> grasp = Error{"the limb is not fitted", "", ""};
   std::vector<std::string> notes;  // where a joint's model is another than usual, and why
   // The body's axes in the axes of the root joint's parent, unit: for elevation().
   Vec3 up{0, 1, 0}, outward{1, 0, 0}, forward{0, 0, 1};

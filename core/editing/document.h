@@ -40,7 +40,9 @@ struct HandTarget {
   double time = 0;  // seconds
   Vec3 position{0.0};
   std::optional<Quat> orientation;  // world_from_joint rotation of the end joint; none: free
-  bool grasp = false;               // position and orientation are the palm's grasp frame's instead
+  // Position and orientation are those of the palm's (sole's) grasp frame instead; without an
+  // orientation the hand keeps the one that it has in the clip.
+  bool grasp = false;
   bool operator==(const HandTarget&) const = default;
 };
 

@@ -18,12 +18,15 @@ constexpr double kRateStep = 1e-3;      // s, of the holding velocity
 constexpr double kSpeedShare = 0.9;     // of the speed limits that the holding velocity may have
 constexpr double kWayFactor = 2;        // a smooth way there peaks at about twice its mean speed
 constexpr double kAtLimit = 1e-3;       // rad
-constexpr int kMaxChecks = 800;         // of the skin in one search
-constexpr double kScanRate = 120;       // Hz, of the contacts listed before and after
+// Checks of the skin in one search: at the clearance, and then without touching. Where neither
+// finds a posture each check costs, so the wish for room gets the smaller share.
+constexpr int kChecksAtClearance = 200;
+constexpr int kChecksTouching = 600;
+constexpr int kPostures = 3;                     // planned to, one after the other
+constexpr double kSwivelApart = 20 * kPi / 180;  // of them
+constexpr double kScanRate = 120;                // Hz, of the contacts listed before and after
 
 double as_float32(double t) { return static_cast<double>(static_cast<float>(t)); }
-
-IkTarget ik_target(const HandTarget& target) { return {target.position, target.orientation}; }
 
 // The window's ends nearest to the usual ones at which the limb is free with `clearance` (or, with
 // none, does not touch), at least `least` from t_b; nothing if there is none within the clip.
@@ -58,13 +61,13 @@ double time_for(const DofSpace& space, const Dofs& a, const Dofs& b) {
 }
 
 // Parameters' velocity at t_b of an end held still in the world, at constant swivel.
-Dofs holding_velocity(const WindowProblem& p, const HandTarget& target, double t_b,
+Dofs holding_velocity(const WindowProblem& p, const IkTarget& target, double t_b,
                       const IkResult& posture) {
   const auto held_at = [&](double t) -> std::optional<Dofs> {
     if (t <= p.begin || t >= p.end) return std::nullopt;
     const auto ik = limb_ik_at(*p.scene, p.limb_index, t, p.residual_at(t));
     if (!ik) return std::nullopt;
-    const auto solutions = ik->solve_at_swivel(ik_target(target), posture.swivel, posture.state.q);
+    const auto solutions = ik->solve_at_swivel(target, posture.swivel, posture.state.q);
     std::optional<Dofs> best;
     double least = 0.5;  // rad: farther is another branch
     for (int i = 0; i < solutions.count; ++i) {
@@ -131,7 +134,6 @@ Status check_task(const SceneCollision& scene, int limb, const Task& task, const
   }
   if (!finite)
     return Error{"the target's place or time is not a number", where, "give finite numbers"};
-  if (target.grasp) return Error{"aiming a grasp frame is not supported", where, "aim the wrist"};
   const double t = as_float32(target.time);
   if (!(t > as_float32(clip->begin) && t < as_float32(clip->end)))
     return Error{"the target's time is not inside the clip", where,
@@ -176,17 +178,78 @@ class Reach {
       least_before = std::max(least_before, before);
       least_after = std::max(least_after, after);
     }
-    PostureAt held;
-    held.time = t_b_;
-    held.state = posture_.state;
-    held.velocity = holding_velocity(problem_, *task_.target, t_b_, posture_);
-    problem_.postures.insert(problem_.postures.begin() + 1, held);
-    return plan_window(std::move(problem_), task_.wishes, stop_, progress_);
+    return plan_through_postures();
   }
 
  private:
   void tell(const std::string& phase) const {
     if (progress_) progress_({phase, -1});
+  }
+
+  // To the posture found, and where there is no way to it, to others that reach the target, each
+  // the farthest in swivel from those tried.
+  WindowPlan plan_through_postures() {
+    std::vector<double> tried;
+    std::vector<std::string> attempts;
+    for (;;) {
+      PostureAt held;
+      held.time = t_b_;
+      held.state = posture_.state;
+      held.velocity = holding_velocity(problem_, goal_, t_b_, posture_);
+      WindowProblem problem = problem_;
+      problem.postures.insert(problem.postures.begin() + 1, held);
+      WindowPlan plan = plan_window(std::move(problem), task_.wishes, stop_, progress_);
+      tried.push_back(posture_.swivel);
+      if (tried.size() > 1) {
+        char text[80];
+        std::snprintf(text, sizeof text, "posture %zu, swivel %.0f°: ", tried.size(),
+                      posture_.swivel * 180 / kPi);
+        for (std::string& attempt : plan.report.attempts) attempt.insert(0, text);
+      }
+      attempts.insert(attempts.end(), plan.report.attempts.begin(), plan.report.attempts.end());
+      plan.report.attempts = attempts;
+      if (plan.correction || stop_.stop_requested() || tried.size() == kPostures) return plan;
+      // The report is the last one's, which failed as the others did.
+      if (!find_other_posture(tried)) return plan;
+    }
+  }
+
+  // A free posture away from the swivels tried.
+  bool find_other_posture(const std::vector<double>& tried) {
+    const auto ik = limb_ik_at(scene_, limb_, t_b_, problem_.residual_at(t_b_));
+    if (!ik) return false;
+    const auto distance = [&](double swivel) {
+      double least = 2 * kPi;
+      for (const double other : tried)
+        least = std::min(least, std::abs(std::remainder(swivel - other, 2 * kPi)));
+      return least;
+    };
+    SwivelSearch settings;
+    settings.near = problem_.track->at(t_b_).q;
+    settings.limits = &problem_.space;
+    settings.max_checks = kChecksAtClearance;
+    // The middle of the widest gap between them.
+    double start = 0, farthest = -1;
+    for (int i = 0; i < 72; ++i) {
+      const double swivel = -kPi + 2 * kPi * i / 72;
+      if (distance(swivel) <= farthest + 1e-9) continue;
+      farthest = distance(swivel);
+      start = swivel;
+    }
+    settings.initial = start;
+    const double touching = 2 * scene_.settings().epsilon * scene_.height();
+    const double width = farthest - kSwivelApart;
+    if (!(width > 0)) return false;
+    settings.lower = start - width;
+    settings.upper = start + width;
+    for (const double clearance : {clearance_, touching}) {
+      IkResult other =
+          search_free_posture(scene_, limb_, *ik, t_b_, goal_, settings, clearance, stop_);
+      if (!other.solved() || distance(other.swivel) < kSwivelApart) continue;
+      posture_ = std::move(other);
+      return true;
+    }
+    return false;
   }
 
   bool can_widen(int direction) const {
@@ -220,20 +283,33 @@ class Reach {
     return true;
   }
 
+  // The end joint by the clip.
+  Mat4 end_at(double t) const {
+    std::vector<ActorState> states;
+    actor_state_at(scene_.world(), scene_.actor(), t, states);
+    return states[static_cast<std::size_t>(scene_.actor())]
+        .world_from_joint[static_cast<std::size_t>(problem_.limb->limb.end)];
+  }
+
   bool find_posture() {
     const auto ik = limb_ik_at(scene_, limb_, t_b_, problem_.residual_at(t_b_));
     if (!ik) {
       reason_ = ik.error().message();
       return false;
     }
+    const auto goal = wrist_target(*ik, end_at(t_b_), *task_.target);
+    if (!goal) {
+      reason_ = goal.error().message();
+      return false;
+    }
+    goal_ = *goal;
     SwivelSearch settings;
     settings.near = problem_.track->at(t_b_).q;
     settings.limits = &problem_.space;
-    settings.max_checks = kMaxChecks;
     const double touching = 2 * scene_.settings().epsilon * scene_.height();
     for (const double clearance : {clearance_, touching}) {
-      posture_ =
-          search_free_posture(scene_, limb_, *ik, t_b_, *task_.target, settings, clearance, stop_);
+      settings.max_checks = clearance == clearance_ ? kChecksAtClearance : kChecksTouching;
+      posture_ = search_free_posture(scene_, limb_, *ik, t_b_, goal_, settings, clearance, stop_);
       if (posture_.status != IkStatus::in_collision) break;
     }
     if (posture_.solved()) {
@@ -270,6 +346,7 @@ class Reach {
   const ProgressSink& progress_;
   double t_b_, clearance_;
   WindowProblem problem_;
+  IkTarget goal_;
   IkResult posture_;
   std::string reason_, blocked_by_;
 };
@@ -292,14 +369,14 @@ Result<LimbIk> limb_ik_at(const SceneCollision& scene, int limb, double t,
 }
 
 IkResult search_free_posture(SceneCollision& scene, int limb, const LimbIk& ik, double t,
-                             const HandTarget& target, const SwivelSearch& settings,
-                             double clearance, const std::stop_token& stop) {
+                             const IkTarget& target, const SwivelSearch& settings, double clearance,
+                             const std::stop_token& stop) {
   const auto valid = [&](const LimbState& state) {
     if (stop.stop_requested()) return false;
     scene.pose_limb(limb, &state);
     return !scene.limb_in_contact(t, limb, clearance);
   };
-  const IkResult result = search_swivel(ik, ik_target(target), settings, valid);
+  const IkResult result = search_swivel(ik, target, settings, valid);
   scene.pose_limb(limb, nullptr);
   return result;
 }

@@ -8,12 +8,17 @@
 // and verified as every correction is (core/editing/correct.h). Residuals are those of the window
 // (DESIGN.md, "Residual"), at t_b too.
 //
+// A target with `grasp` is the palm's (core/editing/wrist_target.h). Where there is no way to the
+// first posture, others that reach the target are planned to, up to three in all, each the farthest
+// in swivel from those tried; the report's `attempts` has them all.
+//
 // Without a window in the task, t_a and t_c are 0.8 s before and after t_b, moved until the limb is
 // free at both ends and its speed limits leave time for the way, within the clip.
 #pragma once
 
 #include "core/editing/correct.h"
 #include "core/editing/plan_window.h"
+#include "core/editing/wrist_target.h"
 #include "core/ik/swivel_search.h"
 
 namespace elbowroom {
@@ -41,8 +46,8 @@ Result<LimbIk> limb_ik_at(const SceneCollision& scene, int limb, double t,
 // A posture for the target that keeps `clearance` on the deformed skin at time t. The scene poses
 // the limb by its clip again afterwards.
 IkResult search_free_posture(SceneCollision& scene, int limb, const LimbIk& ik, double t,
-                             const HandTarget& target, const SwivelSearch& settings,
-                             double clearance, const std::stop_token& stop = {});
+                             const IkTarget& target, const SwivelSearch& settings, double clearance,
+                             const std::stop_token& stop = {});
 
 // Why there is no posture, for people; empty if there is one.
 std::string ik_reason(const IkResult& result, const LimbModel& limb);

@@ -189,12 +189,25 @@ class Trial {
     ++counts_.outside;
     const double distance = glm::distance(target.position, root);
     const EndPlace shown = place_of(moment_, result.state);
-    const bool right =
-        result.status == IkStatus::out_of_reach && result.miss > 0 &&
-        (!ik_.uniform() || result.miss >= distance - ik_.length() * (1 + 1e-5)) &&
-        moment_.limb->space.within_limits(result.state.q, 1e-6) &&
-        glm::distance(shown.position, target.position) >= result.miss - 1e-5 * ik_.length();
-    if (!right) problem(counts_.outside_wrong, "out of reach, but not said so");
+    const double slack = 1e-5 * ik_.length();
+    const auto wrong = [&](const char* what) {
+      char text[200];
+      std::snprintf(
+          text, sizeof text,
+          "out of reach, but %s: %s, target at %.9g of the length, %.3g short, shown %.9g "
+          "from it",
+          what, ik_status_id(result.status), distance / ik_.length(), result.miss / ik_.length(),
+          glm::distance(shown.position, target.position) / ik_.length());
+      problem(counts_.outside_wrong, text);
+    };
+    if (result.status != IkStatus::out_of_reach || !(result.miss > 0))
+      wrong("not said so");
+    else if (ik_.uniform() && result.miss < distance - ik_.length() - slack)
+      wrong("by more than is said");
+    else if (!moment_.limb->space.within_limits(result.state.q, 1e-6))
+      wrong("beyond limits");
+    else if (glm::distance(shown.position, target.position) < result.miss - slack)
+      wrong("nearer than is said");
   }
 
   bool scan(const IkTarget& target, const DofSpace& space, const Obstacles& obstacles,
