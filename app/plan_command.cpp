@@ -89,7 +89,8 @@ int run_task(const PlanOptions& options, const Task& task, std::stop_token stop)
     return refuse(limbs.error(), options.report);
   const ProgressSink progress = terminal_progress();
   if (progress) progress({"looking at the scene", -1});
-  auto scene = contacts_of(*session);
+  auto scene = contacts_of(*session, stop);
+  if (!scene && stop.stop_requested()) return kExitInterrupted;
   if (!scene) return refuse(scene.error(), options.report);
   const auto outcome = solve_task(*scene, *session, task, stop, progress);
   if (!outcome) return refuse(outcome.error(), options.report);

@@ -95,6 +95,7 @@ struct EditorState {
 
   // Contacts of the source clip and of the corrected one. Null: not yet looked at.
   std::shared_ptr<const CollisionStrip> source_strip, strip;
+  bool strip_is_current = false;  // strip is that of `clip`; else of the motion before it
 
   // Time.
   double time = 0, begin = 0, end = 0;

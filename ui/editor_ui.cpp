@@ -81,11 +81,13 @@ void EditorUi::draw(Ui& ui, const EditorState& state, ViewState& view, Commands&
     if (notice.id <= data_->told) continue;
     data_->told = notice.id;
     if (notice.kind == Notice::Kind::error) {
-      ui.toast(notice.text);
+      Error text = notice.text;
+      text.what = sentence(text.what);
+      ui.toast(text);
     } else {
       const std::string where = notice.text.where.empty() ? "" : notice.text.where + ": ";
       ui.toast(notice.kind == Notice::Kind::good ? Tone::good : Tone::selection,
-               where + notice.text.what, notice.text.remedy);
+               where + sentence(notice.text.what), notice.text.remedy);
     }
   }
 }

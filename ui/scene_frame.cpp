@@ -187,7 +187,7 @@ void SceneFrame::add_target(const EditorState& state) {
 
 void SceneFrame::add_contacts(const EditorState& state, const ViewState& view) {
   const auto& strip = view.compare == Compare::before ? state.source_strip : state.strip;
-  if (!strip) return;
+  if (!strip || (view.compare != Compare::before && !state.strip_is_current)) return;
   for (const LimbStrip& limb : strip->limbs) {
     const StripSample* sample = strip_sample_at(limb, state.time);
     if (!sample || !sample->contact) continue;

@@ -30,7 +30,8 @@ int run_check(const CheckOptions& options, std::stop_token stop) {
   print_warnings(session->warnings);
   const ProgressSink progress = terminal_progress();
   if (progress) progress({"looking for contacts", -1});
-  auto scene = contacts_of(*session);
+  auto scene = contacts_of(*session, stop);
+  if (!scene && stop.stop_requested()) return kExitInterrupted;
   if (!scene) return refuse(scene.error());
   std::vector<ContactInterval> contacts, others;
   const auto& clip = session->clip();

@@ -19,7 +19,8 @@ int run_solve(const SolveOptions& options, std::stop_token stop) {
   if (!session) return refuse(session.error(), options.report);
   print_warnings(session->warnings);
   const ProgressSink progress = terminal_progress();
-  auto scene = contacts_of(*session);
+  auto scene = contacts_of(*session, stop);
+  if (!scene && stop.stop_requested()) return kExitInterrupted;
   if (!scene) return refuse(scene.error(), options.report);
 
   // A task all of whose corrections the animator has muted is passed over.

@@ -80,6 +80,7 @@ std::function<void(std::string)> Editor::job_failure() {
 Editor::~Editor() {
   for (Running* running : {&opening_, &scanning_, &planning_, &exporting_, &targeting_})
     running->stop.request_stop();
+  target_work_->abandon();
 }
 
 bool Editor::working() const {
@@ -175,6 +176,7 @@ void Editor::refresh() {
       Motion motion =
           motion_of(session_->scene.model().skeleton, state_.source, document.corrections);
       shown_corrections_ = document.corrections;
+      if (state_.clip != motion.clip) state_.strip_is_current = false;
       state_.clip = motion.clip;
       state_.corrections.clear();
       for (const auto& problem : motion.problems)

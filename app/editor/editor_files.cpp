@@ -166,6 +166,7 @@ void Editor::opened(Session session, std::filesystem::path project, bool fresh) 
   state_.planning.active = state_.scanning.active = false;
   // A scene of its own for each session: a job of the old one may still be running.
   scene_work_ = std::make_shared<SceneWork>();
+  target_work_->abandon();
   target_work_ = std::make_shared<TargetWork>();
   unseen_.reset();
   session_ = std::make_shared<const Session>(std::move(session));

@@ -36,7 +36,8 @@ void Editor::prepare_contacts() {
       scene_thread_.run([this, session = session_, work = scene_work_, ticket = scanning_.ticket,
                          mailbox = mailbox_](const std::stop_token& stop) {
         if (stop.stop_requested()) return;
-        Status prepared = work->prepare(session);
+        Status prepared = work->prepare(session, stop);
+        if (stop.stop_requested()) return;
         mailbox->post([this, ticket, prepared] {
           if (ticket != scanning_.ticket) return;
           state_.scanning.active = false;
@@ -75,11 +76,14 @@ void Editor::look_for_contacts() {
       return;
     }
     const auto tell_strip = [&](bool of_source, bool of_clip, CollisionStrip strip) {
-      mailbox->post([this, ticket, of_source, of_clip,
+      mailbox->post([this, ticket, of_source, of_clip, clip,
                      shared = std::make_shared<const CollisionStrip>(std::move(strip))] {
         if (ticket != scanning_.ticket) return;
         if (of_source) state_.source_strip = shared;
-        if (of_clip) state_.strip = shared;
+        if (of_clip) {
+          state_.strip = shared;
+          state_.strip_is_current = clip == state_.clip;
+        }
         const double length = shared->end - shared->begin;
         state_.scanning.fraction = length > 0 ? (shared->computed_to - shared->begin) / length : 1;
         if (of_clip && shared->complete()) {

@@ -22,10 +22,10 @@ PlanFailure failure_of(const Task& task, const WindowReport& report) {
 
 }  // namespace
 
-Status SceneWork::prepare(std::shared_ptr<const Session> session) {
+Status SceneWork::prepare(std::shared_ptr<const Session> session, const std::stop_token& stop) {
   scene_.reset();
   session_ = std::move(session);
-  auto scene = contacts_of(*session_);
+  auto scene = contacts_of(*session_, stop);
   if (!scene) return scene.error();
   scene_ = std::move(*scene);
   return Done{};
@@ -47,6 +47,10 @@ CollisionStrip SceneWork::look_again(std::shared_ptr<const Clip> clip, const Col
 PlanOutcome SceneWork::plan(std::shared_ptr<const Clip> clip, int limb, const Task& task,
                             std::stop_token stop, const ProgressSink& progress) {
   PlanOutcome outcome;
+  if (Status sound = check_wishes(*scene_, {limb}, task.wishes); !sound) {
+    outcome.error = sound.error();
+    return outcome;
+  }
   scene_->set_clip(clip);
   WindowReport report;
   std::optional<Correction> correction;

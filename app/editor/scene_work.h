@@ -2,8 +2,7 @@
 // What the editor's background thread does with a scene: look for contacts, plan.
 //
 // A SceneWork and its SceneCollision belong to that thread alone; results are values that can be
-// handed over. Every call answers its stop token within a fraction of a second, but for the
-// building of a scene's contacts (`prepare`), which takes as long as it takes.
+// handed over. Every call answers its stop token within a fraction of a second.
 #pragma once
 
 #include <memory>
@@ -26,7 +25,7 @@ struct PlanOutcome {
 class SceneWork {
  public:
   // Makes the scene's contacts ready; the whole clip's. Error: no clip, no limbs.
-  Status prepare(std::shared_ptr<const Session> session);
+  Status prepare(std::shared_ptr<const Session> session, const std::stop_token& stop);
   bool ready() const { return scene_.has_value(); }
 
   CollisionStrip look(std::shared_ptr<const Clip> clip, std::stop_token stop,

@@ -96,7 +96,7 @@ TargetView TargetWork::posture(const TargetQuestion& question, const std::stop_t
   if (!scene_ || session_ != question.session) {
     session_ = question.session;
     scene_.reset();
-    auto scene = contacts_of(*session_);
+    auto scene = contacts_of(*session_, abandoned_.get_token());
     if (!scene) {
       TargetView view = posture_by_limits(question);
       view.text += "; contacts are unknown: " + scene.error().what;

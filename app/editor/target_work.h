@@ -33,9 +33,13 @@ class TargetWork {
   // With contacts, on the deformed skin. When stopped, whatever it is at.
   TargetView posture(const TargetQuestion& question, const std::stop_token& stop);
 
+  // No more questions will come: the building of contacts may stop. Any thread.
+  void abandon() { abandoned_.request_stop(); }
+
  private:
   std::shared_ptr<const Session> session_;
   std::optional<SceneCollision> scene_;
+  std::stop_source abandoned_;  // questions stop one after another; the scene is built for all
 };
 
 }  // namespace elbowroom

@@ -160,7 +160,7 @@ void list_entries(Data& data) {
 
 }  // namespace
 
-void find_allowed_contacts(Data& data) {
+bool find_allowed_contacts(Data& data, const std::stop_token& stop) {
   const ActorState bind = bind_state(data.world, data.actor, data.character);
 
   // In the bind pose: joints shared, and patches that touch.
@@ -199,12 +199,14 @@ void find_allowed_contacts(Data& data) {
   // Over the clip.
   std::map<std::pair<int, int>, std::optional<DepthByParts>> last;  // by bodies
   for (const double t : clip_times(data)) {
+    if (stop.stop_requested()) return false;
     data.pose(t, true);
     for (TestPair& pair : data.pairs_now().pairs)
       if (pair.clip_may_allow) allow_from_clip(data, pair, last[{pair.a, pair.b}]);
   }
   data.posed = false;
   list_entries(data);
+  return true;
 }
 
 }  // namespace elbowroom

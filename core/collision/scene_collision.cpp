@@ -68,7 +68,8 @@ SceneCollision::~SceneCollision() = default;
 
 Result<SceneCollision> SceneCollision::build(World world, int actor, int character,
                                              std::vector<LimbModel> limbs, double begin, double end,
-                                             const CollisionSettings& settings) {
+                                             const CollisionSettings& settings,
+                                             const std::stop_token& stop) {
   if (const Status checked = check_query(world, actor, character, limbs, begin, end, settings);
       !checked)
     return checked.error();
@@ -88,7 +89,8 @@ Result<SceneCollision> SceneCollision::build(World world, int actor, int charact
   data->height = figure.height * (scale > 0 && std::isfinite(scale) ? scale : 1.0);
   data->source_clip = view.clip;
   if (const Status built = build_bodies(*data); !built) return built.error();
-  find_allowed_contacts(*data);
+  if (!find_allowed_contacts(*data, stop))
+    return Error{"stopped before the scene's contacts were known", "", ""};
   return SceneCollision(std::move(data));
 }
 

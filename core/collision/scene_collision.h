@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -59,10 +60,11 @@ class SceneCollision {
  public:
   // `limbs` of world.actors[actor]'s character `character`, in the order of their indices below.
   // Rests on the world's clips for clip-contact patches, over [begin, end]. Cost: a scan of the
-  // clip.
+  // clip. Error besides those of the input: stopped, answered at the next moment of the clip.
   static Result<SceneCollision> build(World world, int actor, int character,
                                       std::vector<LimbModel> limbs, double begin, double end,
-                                      const CollisionSettings& settings);
+                                      const CollisionSettings& settings,
+                                      const std::stop_token& stop = {});
   SceneCollision(SceneCollision&&) noexcept;
   SceneCollision& operator=(SceneCollision&&) noexcept;
   ~SceneCollision();

@@ -124,7 +124,8 @@ ActorState bind_state(const World& world, int actor, int character);
 
 // Building steps, in their order (scene_bodies.cpp, scene_allowed.cpp).
 Status build_bodies(SceneCollision::Data& data);
-void find_allowed_contacts(SceneCollision::Data& data);
+// False if stopped.
+bool find_allowed_contacts(SceneCollision::Data& data, const std::stop_token& stop);
 
 // Contacts of a pair as groups of equal parts and verdict (scene_contacts.cpp).
 struct ContactGroup {

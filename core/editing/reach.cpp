@@ -387,7 +387,9 @@ std::string ik_reason(const IkResult& result, const LimbModel& limb) {
     case IkStatus::solved:
       return {};
     case IkStatus::out_of_reach:
-      std::snprintf(text, sizeof text, "the target is out of reach by %.4g", result.miss);
+      std::snprintf(text, sizeof text, "the target is out of reach by %.3g %s",
+                    result.miss < 0.01 ? 1000 * result.miss : result.miss,
+                    result.miss < 0.01 ? "mm" : "m");
       return text;
     case IkStatus::at_limit: {
       if (result.dof < 0) return "the target asks for more than the limb's limits allow";

@@ -101,13 +101,13 @@ Result<std::vector<int>> limbs_named(const Session& session, const std::string& 
                "found: " + known + "; any other by its joints, FROM..TO"};
 }
 
-Result<SceneCollision> contacts_of(const Session& session) {
+Result<SceneCollision> contacts_of(const Session& session, const std::stop_token& stop) {
   const auto& clip = session.clip();
   if (!clip)
     return Error{"the character has no clip", session.document.scene.character.string(),
                  "give a file with an animation"};
   return SceneCollision::build(session.scene.world, 0, session.scene.character, session.limbs,
-                               clip->begin, clip->end, CollisionSettings{});
+                               clip->begin, clip->end, CollisionSettings{}, stop);
 }
 
 }  // namespace elbowroom

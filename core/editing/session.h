@@ -39,6 +39,6 @@ Result<Session> open_project_session(const Document& document);
 Result<std::vector<int>> limbs_named(const Session& session, const std::string& limb);
 
 // Contacts at hand, for the whole clip. Error: no clip.
-Result<SceneCollision> contacts_of(const Session& session);
+Result<SceneCollision> contacts_of(const Session& session, const std::stop_token& stop = {});
 
 }  // namespace elbowroom

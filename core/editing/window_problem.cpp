@@ -11,8 +11,9 @@ namespace {
 
 constexpr double kSpeedReserve = 1.05;  // over the clip's own peak speed, where that is the limit
 
-constexpr double kStyleBlend = 0.35;  // s, from the clip's posture to the style asked for
-constexpr double kStyleAir = 0.1;     // share of an interval, kept from its ends
+constexpr double kMostClearance = 0.25;  // × height
+constexpr double kStyleBlend = 0.35;     // s, from the clip's posture to the style asked for
+constexpr double kStyleAir = 0.1;        // share of an interval, kept from its ends
 
 double limb_length(const WindowProblem& p) {
   std::vector<ActorState> states;
@@ -101,6 +102,12 @@ WindowProblem window_problem(SceneCollision& scene, const std::shared_ptr<const 
 
 Status check_wishes(const SceneCollision& scene, const std::vector<int>& limbs,
                     const PlanningWishes& wishes) {
+  const double most = kMostClearance * scene.height();
+  if (!(wishes.clearance >= 0 && wishes.clearance <= most))
+    return Error{"a clearance of " + std::to_string(wishes.clearance) + " makes no sense here", "",
+                 "give 0 (the default) or up to " + std::to_string(most) +
+                     " scene units, a quarter of the character's height"};
+
   for (const auto& [name, interval] : wishes.sampling) {
     std::string known;
     bool found = false;

@@ -26,7 +26,7 @@ void draw_limb(const PanelContext& context, int index) {
   row.hint = "Click to work on this limb; double-click chooses its first problem";
   std::string badge;
   const auto& strip = state.strip;
-  if (!strip || !strip->complete()) {
+  if (!strip || !strip->complete() || !state.strip_is_current) {
     row.icon = Icon::ring;
     row.icon_tone = Tone::faint;
     row.right = state.source ? "looking…" : "";
@@ -85,7 +85,9 @@ void draw_scene(const PanelContext& context) {
   row.icon = Icon::none;
   const std::string triangles = thousands(character.triangles);
   row.right = triangles;
-  list_row(context.ui, character.name.empty() ? "Character" : character.name, row);
+  row.hint = character.name;
+  // The file is what people know it by; its topmost node is often called Armature.
+  list_row(context.ui, state.document->scene.character.stem().string(), row);
   for (std::size_t i = 0; i < state.session->limbs.size(); ++i)
     draw_limb(context, static_cast<int>(i));
   const SceneDescription& scene = state.document->scene;

@@ -125,9 +125,9 @@ TimelineModel model_of(const EditorState& state, const ViewState& view) {
       continue;
     model.marks.push_back(mark);
   }
-  const int limb = std::max(0, state.limb);
+  const int limb = state.limb;
   const auto has = [&](const std::shared_ptr<const CollisionStrip>& s) {
-    return s && static_cast<std::size_t>(limb) < s->limbs.size();
+    return s && limb >= 0 && static_cast<std::size_t>(limb) < s->limbs.size();
   };
   model.curves_label = "Clearance";
   const bool differs = state.strip != state.source_strip && has(state.strip);

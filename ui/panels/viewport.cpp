@@ -309,7 +309,8 @@ void Viewport::overlay(const PanelContext& context) const {
            compare_text(context.view.compare));
   // How much room the selected limb has now.
   const auto& strip = context.view.compare == Compare::before ? state.source_strip : state.strip;
-  if (strip && state.limb >= 0 && state.limb < static_cast<int>(strip->limbs.size())) {
+  const bool known = context.view.compare == Compare::before || state.strip_is_current;
+  if (strip && known && state.limb >= 0 && state.limb < static_cast<int>(strip->limbs.size())) {
     if (const StripSample* sample =
             strip_sample_at(strip->limbs[static_cast<std::size_t>(state.limb)], state.time)) {
       const bool far = !sample->contact && state.session &&
