@@ -149,10 +149,10 @@ class Finder {
     return joint;
   }
 
-  // `grown`: the surface goes on over the rest of the body.
-  void add(const Role role, bool grown, const std::array<Vec3, 3>& triangle) {
+  // `own`: the hand's own skin rather than what it may hold.
+  void add(const Role role, bool own, const std::array<Vec3, 3>& triangle) {
     if (!finite(triangle[0]) || !finite(triangle[1]) || !finite(triangle[2])) return;
-    HandParts& parts = grown ? parts_ : loose_;
+    HandParts& parts = own ? parts_ : held_;
     parts.all.triangles.push_back(triangle);
     if (role == Role::palm) parts.palm.triangles.push_back(triangle);
   }
@@ -193,22 +193,26 @@ class Finder {
             heaviest = &mesh.influences[i];
         if (heaviest) role[v] = roles_[static_cast<std::size_t>(heaviest->joint)];
       }
-      const std::vector<char> grown = goes_on(mesh, role);
       deform(model_, mesh, pose, globals_, positions);
+      const std::vector<char> own = hands_own(mesh, role, positions);
       for (const auto& t : mesh.triangles) {
         const Role all = shared(role[t.x], role[t.y], role[t.z]);
         if (all != Role::none)
-          add(all, grown[t.x] != 0, {positions[t.x], positions[t.y], positions[t.z]});
+          add(all, own[t.x] != 0, {positions[t.x], positions[t.y], positions[t.z]});
       }
     }
     if (!parts_.all.triangles.empty()) return;
-    parts_.all = std::move(loose_.all);
-    parts_.palm = std::move(loose_.palm);
+    parts_.all = std::move(held_.all);
+    parts_.palm = std::move(held_.palm);
   }
 
-  // By vertex: whether its piece of the surface, welded by position, has vertices that are not the
-  // hand's. A weapon that is skinned to the hand has none.
-  static std::vector<char> goes_on(const Mesh& mesh, const std::vector<Role>& role) {
+  // By vertex: whether its piece of the surface, welded by position, goes on over the rest of the
+  // body, or lies within a lower bone's length of the end. A weapon skinned to the hand does not.
+  std::vector<char> hands_own(const Mesh& mesh, const std::vector<Role>& role,
+                              const std::vector<Vec3>& positions) const {
+    const Vec3 from = origin(globals_, end_);
+    const int parent = model_.skeleton.joints[static_cast<std::size_t>(end_)].parent;
+    const double reach = parent < 0 ? 0 : glm::distance(from, origin(globals_, parent));
     const std::size_t count = mesh.positions.size();
     std::vector<std::uint32_t> above(count);
     std::iota(above.begin(), above.end(), 0u);
@@ -229,10 +233,13 @@ class Finder {
       above[top(t.y)] = top(t.x);
       above[top(t.z)] = top(t.x);
     }
-    std::vector<char> other(count, 0), result(count, 0);
+    std::vector<char> body(count, 0), far(count, 0), result(count, 0);
+    for (std::uint32_t v = 0; v < count; ++v) {
+      if (role[v] == Role::none) body[top(v)] = 1;
+      if (!(glm::distance(positions[v], from) <= reach)) far[top(v)] = 1;
+    }
     for (std::uint32_t v = 0; v < count; ++v)
-      if (role[v] == Role::none) other[top(v)] = 1;
-    for (std::uint32_t v = 0; v < count; ++v) result[v] = other[top(v)];
+      result[v] = static_cast<char>(body[top(v)] != 0 || far[top(v)] == 0);
     return result;
   }
 
@@ -243,7 +250,7 @@ class Finder {
   bool foot_;
   std::vector<Role> roles_;  // by joint
   std::vector<int> roots_, fingers_, thumbs_;
-  HandParts parts_, loose_;  // loose: pieces of surface that are the hand's alone
+  HandParts parts_, held_;  // held: what may be held by the hand
 };
 
 }  // namespace

@@ -19,8 +19,9 @@ struct HandParts {
   std::vector<Vec3> finger_roots;  // knuckles; of a foot the toes' roots; thumb apart
   std::vector<Vec3> thumb_roots;
   bool by_name = false;  // fingers were told by their names
-  // With fingers and thumb. Pieces of surface that are not connected with the rest of the body (a
-  // weapon skinned to the hand) count only where there is nothing else.
+  // With fingers and thumb. Pieces of surface that are not connected with the rest of the body and
+  // go farther than a lower bone's length (a weapon skinned to the hand) count only where there is
+  // nothing else.
   HandSkin all;
   HandSkin palm;  // of the joints that are no finger beyond its root and no thumb
 };
