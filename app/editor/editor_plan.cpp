@@ -296,8 +296,8 @@ void Editor::replan(int index) {
       target = task.target;
       wishes = task.wishes;
     }
-  replan_step_ = "Replan " + correction.name;
-  edit(replan_step_, Phase::committed, [&](Document& changed) {
+  const std::string step = "Replan " + correction.name;
+  edit(step, Phase::committed, [&](Document& changed) {
     changed.corrections.erase(changed.corrections.begin() + index);
     std::erase_if(changed.tasks, [&](const Task& task) {
       return task.name == correction.task && !correction.task.empty();
@@ -308,6 +308,7 @@ void Editor::replan(int index) {
     changed.draft.target = target;
     changed.draft.wishes[correction.limb] = wishes;
   });
+  replan_step_ = step;
   plan();
 }
 

@@ -76,6 +76,11 @@ bool EditorDriver::settle(double seconds) {
 
 bool EditorDriver::open(const Document& document) {
   editor.open(document);
+  // Whoever opens something here means it, whatever is not saved.
+  if (editor.view().dialog == Dialog::discard_for_opening) {
+    editor.view().dialog = Dialog::none;
+    editor.handle(command::AnswerOpening{true});
+  }
   return wait_until([this] { return !state().opening.active; }) && state().open();
 }
 

@@ -416,6 +416,28 @@ TEST_F(EditorTest, SceneChangesAreStepsOfUndo) {
   EXPECT_EQ(state().notices.back().kind, Notice::Kind::error);
 }
 
+// What is not saved is asked about before something else takes its place.
+TEST_F(EditorTest, OpeningAsksAboutUnsavedWork) {
+  ASSERT_TRUE(open_alone());
+  ASSERT_TRUE(ready());
+  driver.handle(SelectLimb{0});
+  driver.handle(SetWindow{Interval{state().begin + 0.1, state().begin + 0.3}, Phase::committed});
+  ASSERT_TRUE(state().dirty);
+  const Document before = driver.document();
+  driver.editor.open(demo_scene());
+  EXPECT_EQ(driver.editor.view().dialog, Dialog::discard_for_opening);
+  driver.editor.view().dialog = Dialog::none;
+  driver.handle(AnswerOpening{false});
+  EXPECT_FALSE(state().opening.active);
+  EXPECT_EQ(driver.document(), before);
+  driver.editor.open(demo_scene());
+  driver.editor.view().dialog = Dialog::none;
+  driver.handle(AnswerOpening{true});
+  ASSERT_TRUE(driver.wait_until([&] { return !state().opening.active; }));
+  EXPECT_FALSE(state().dirty);
+  EXPECT_FALSE(driver.document().draft.window.has_value());
+}
+
 TEST_F(EditorTest, CorrectionsThatNoLongerFitAreFlaggedAndStopAnExport) {
   ASSERT_TRUE(open_alone());
   ASSERT_TRUE(ready());

@@ -82,14 +82,14 @@ TEST_F(SceneFrameTest, WithoutASceneItIsEmpty) {
   EXPECT_TRUE(scene.points_of_figure(nothing, true).empty());
   EXPECT_TRUE(scene.points_of_selection(nothing).empty());
   // And again after a scene was shown.
-  scene.make(state, view, 1);
+  (++state.picture_version, scene.make(state, view, 1));
   EXPECT_FALSE(scene.states().empty());
   scene.make(nothing, view, 1);
   EXPECT_TRUE(scene.states().empty());
 }
 
 TEST_F(SceneFrameTest, ShowsTheMotionAtTheTime) {
-  const Frame& frame = scene.make(state, view, 2);
+  const Frame& frame = (++state.picture_version, scene.make(state, view, 2));
   ASSERT_NE(frame.world, nullptr);
   EXPECT_EQ(frame.pixel_scale, 2);
   EXPECT_EQ(frame.states->size(), session_->scene.world.actors.size());
@@ -102,7 +102,7 @@ TEST_F(SceneFrameTest, ShowsTheMotionAtTheTime) {
   const auto there = scene.figure_place();
   ASSERT_TRUE(there.has_value());
   state.time = 2.5;
-  scene.make(state, view, 1);
+  (++state.picture_version, scene.make(state, view, 1));
   EXPECT_GT(glm::length(*scene.figure_place() - *there), 0.5) << "the figure walks";
 }
 
@@ -123,14 +123,14 @@ TEST_F(SceneFrameTest, BeforeShowsTheSourceAndNoGhost) {
         scene.states().front().world_from_joint[static_cast<std::size_t>(model().limb.root)][3]);
   };
   view.compare = Compare::after;
-  EXPECT_TRUE(scene.make(state, view, 1).ghosts.empty());
+  EXPECT_TRUE((++state.picture_version, scene.make(state, view, 1)).ghosts.empty());
   const Vec3 after = root();
   view.compare = Compare::before;
-  EXPECT_TRUE(scene.make(state, view, 1).ghosts.empty());
+  EXPECT_TRUE((++state.picture_version, scene.make(state, view, 1)).ghosts.empty());
   const Vec3 before = root();
   EXPECT_GT(glm::length(after - before), 0.5);
   view.compare = Compare::both;
-  const Frame& both = scene.make(state, view, 1);
+  const Frame& both = (++state.picture_version, scene.make(state, view, 1));
   EXPECT_EQ(glm::length(root() - after), 0);
   ASSERT_FALSE(both.ghosts.empty()) << "the source's arm";
   const auto& ghost = both.ghosts.front();
@@ -143,10 +143,10 @@ TEST_F(SceneFrameTest, BeforeShowsTheSourceAndNoGhost) {
   EXPECT_EQ(both.ghosts.size(), 2u) << "the umbrella goes along with the arm";
   // Outside the window, or muted, both are the same.
   state.time = 3;
-  EXPECT_TRUE(scene.make(state, view, 1).ghosts.empty());
+  EXPECT_TRUE((++state.picture_version, scene.make(state, view, 1)).ghosts.empty());
   state.time = 1.5;
   document.corrections[0].muted = true;
-  EXPECT_TRUE(scene.make(state, view, 1).ghosts.empty());
+  EXPECT_TRUE((++state.picture_version, scene.make(state, view, 1)).ghosts.empty());
 }
 
 TEST_F(SceneFrameTest, ACandidateIsAGhostInsideItsWindow) {
@@ -154,15 +154,15 @@ TEST_F(SceneFrameTest, ACandidateIsAGhostInsideItsWindow) {
   give_candidate(1, 2);
   for (const Compare compare : {Compare::after, Compare::both}) {
     view.compare = compare;
-    const Frame& frame = scene.make(state, view, 1);
+    const Frame& frame = (++state.picture_version, scene.make(state, view, 1));
     ASSERT_FALSE(frame.ghosts.empty());
     EXPECT_EQ(frame.ghosts.front().actor->clip, state.candidate->clip);
   }
   state.time = 2.5;
-  EXPECT_TRUE(scene.make(state, view, 1).ghosts.empty());
+  EXPECT_TRUE((++state.picture_version, scene.make(state, view, 1)).ghosts.empty());
   state.time = 1.5;
   state.candidate->report.limb = 99;  // of no limb that there is
-  EXPECT_TRUE(scene.make(state, view, 1).ghosts.empty());
+  EXPECT_TRUE((++state.picture_version, scene.make(state, view, 1)).ghosts.empty());
 }
 
 TEST_F(SceneFrameTest, TheTargetHasAMarkAndAPosture) {
@@ -179,43 +179,44 @@ TEST_F(SceneFrameTest, TheTargetHasAMarkAndAPosture) {
       if (marker.shape == MarkerShape::ring) found = &marker;
     return found;
   };
-  const Frame& frame = scene.make(state, view, 1);
+  const Frame& frame = (++state.picture_version, scene.make(state, view, 1));
   ASSERT_NE(ring(frame), nullptr);
   EXPECT_EQ(ring(frame)->place, target.position);
   ASSERT_FALSE(frame.ghosts.empty());
   const Rgb good = frame.ghosts.front().colour;
   state.target.status = TargetView::Status::in_collision;
-  EXPECT_NE(scene.make(state, view, 1).ghosts.front().colour, good);
-  EXPECT_TRUE(scene.make(state, view, 1).keep_scene);
+  EXPECT_NE((++state.picture_version, scene.make(state, view, 1)).ghosts.front().colour, good);
+  EXPECT_TRUE((++state.picture_version, scene.make(state, view, 1)).keep_scene);
   // At another time only the mark stays.
   state.time += 0.5;
-  EXPECT_TRUE(scene.make(state, view, 1).ghosts.empty());
-  EXPECT_NE(ring(scene.make(state, view, 1)), nullptr);
+  EXPECT_TRUE((++state.picture_version, scene.make(state, view, 1)).ghosts.empty());
+  EXPECT_NE(ring((++state.picture_version, scene.make(state, view, 1))), nullptr);
   state.target.state.reset();
   state.time = target.time;
-  EXPECT_TRUE(scene.make(state, view, 1).ghosts.empty());
+  EXPECT_TRUE((++state.picture_version, scene.make(state, view, 1)).ghosts.empty());
 }
 
 TEST_F(SceneFrameTest, ContactsOfTheMotionThatIsShown) {
   state.source_strip = strip_with_contact(1.5, {1, 2, 3});
   state.strip = strip_with_contact(2.5, {4, 5, 6});
   view.compare = Compare::after;
-  EXPECT_TRUE(scene.make(state, view, 1).contacts.empty());
+  EXPECT_TRUE((++state.picture_version, scene.make(state, view, 1)).contacts.empty());
   view.compare = Compare::before;
-  const Frame& before = scene.make(state, view, 1);
+  const Frame& before = (++state.picture_version, scene.make(state, view, 1));
   ASSERT_EQ(before.contacts.size(), 1u);
   EXPECT_EQ(before.contacts.front().place, Vec3(1, 2, 3));
   state.time = 2.5;
-  EXPECT_TRUE(scene.make(state, view, 1).contacts.empty());
+  EXPECT_TRUE((++state.picture_version, scene.make(state, view, 1)).contacts.empty());
   view.compare = Compare::both;
-  ASSERT_EQ(scene.make(state, view, 1).contacts.size(), 1u);
+  ASSERT_EQ((++state.picture_version, scene.make(state, view, 1)).contacts.size(), 1u);
 }
 
 TEST_F(SceneFrameTest, TrailsOverTheWindow) {
   choose();
-  EXPECT_TRUE(scene.make(state, view, 1).trails.empty()) << "no window, no trail";
+  EXPECT_TRUE((++state.picture_version, scene.make(state, view, 1)).trails.empty())
+      << "no window, no trail";
   document.draft.window = Interval{1, 2};
-  const Frame& frame = scene.make(state, view, 1);
+  const Frame& frame = (++state.picture_version, scene.make(state, view, 1));
   ASSERT_EQ(frame.trails.size(), 1u);
   EXPECT_GT(frame.trails[0].points.size(), 50u);
   EXPECT_EQ(frame.trails[0].points.size(), frame.trails[0].colours.size());
@@ -228,18 +229,18 @@ TEST_F(SceneFrameTest, TrailsOverTheWindow) {
   const Rgb free = frame.trails[0].colours[frame.trails[0].colours.size() / 2];
   // Where it collides the trail says so, also when the strip comes later.
   state.strip = strip_with_contact(1.5, {0, 0, 0});
-  const Frame& again = scene.make(state, view, 1);
+  const Frame& again = (++state.picture_version, scene.make(state, view, 1));
   EXPECT_NE(again.trails[0].colours[again.trails[0].colours.size() / 2], free);
   EXPECT_EQ(again.trails[0].colours.front(), free);
   give_candidate(1.2, 1.8);
-  EXPECT_EQ(scene.make(state, view, 1).trails.size(), 2u);
+  EXPECT_EQ((++state.picture_version, scene.make(state, view, 1)).trails.size(), 2u);
   view.show_trails = false;
-  EXPECT_TRUE(scene.make(state, view, 1).trails.empty());
+  EXPECT_TRUE((++state.picture_version, scene.make(state, view, 1)).trails.empty());
 }
 
 TEST_F(SceneFrameTest, TheSelectedLimbHasItsTone) {
   choose();
-  const Frame& frame = scene.make(state, view, 1);
+  const Frame& frame = (++state.picture_version, scene.make(state, view, 1));
   ASSERT_FALSE(frame.looks.empty());
   const auto& emphasis = frame.looks.front().emphasis;
   const Skeleton& skeleton = session_->scene.model().skeleton;
@@ -250,17 +251,17 @@ TEST_F(SceneFrameTest, TheSelectedLimbHasItsTone) {
         << node;
   EXPECT_EQ(frame.markers.size(), 3u);
   view.show_limb = false;
-  EXPECT_TRUE(scene.make(state, view, 1).markers.empty());
+  EXPECT_TRUE((++state.picture_version, scene.make(state, view, 1)).markers.empty());
 }
 
 TEST_F(SceneFrameTest, FramingIsFiniteAndAroundTheFigure) {
-  scene.make(state, view, 1);
+  (++state.picture_version, scene.make(state, view, 1));
   const auto now = scene.points_of_figure(state, false);
   ASSERT_GT(now.size(), 10u);
   const Vec3 place = *scene.figure_place();
   for (const Vec3& point : now) EXPECT_LT(glm::length(point - place), 4) << "no posts";
   choose();
-  scene.make(state, view, 1);
+  (++state.picture_version, scene.make(state, view, 1));
   EXPECT_FALSE(scene.points_of_selection(state).empty());
 }
 
