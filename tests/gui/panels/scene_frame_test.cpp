@@ -199,6 +199,7 @@ TEST_F(SceneFrameTest, TheTargetHasAMarkAndAPosture) {
 TEST_F(SceneFrameTest, ContactsOfTheMotionThatIsShown) {
   state.source_strip = strip_with_contact(1.5, {1, 2, 3});
   state.strip = strip_with_contact(2.5, {4, 5, 6});
+  state.strip_is_current = true;
   view.compare = Compare::after;
   EXPECT_TRUE((++state.picture_version, scene.make(state, view, 1)).contacts.empty());
   view.compare = Compare::before;
@@ -209,6 +210,9 @@ TEST_F(SceneFrameTest, ContactsOfTheMotionThatIsShown) {
   EXPECT_TRUE((++state.picture_version, scene.make(state, view, 1)).contacts.empty());
   view.compare = Compare::both;
   ASSERT_EQ((++state.picture_version, scene.make(state, view, 1)).contacts.size(), 1u);
+  // What is known of the motion before the last change says nothing of this one.
+  state.strip_is_current = false;
+  EXPECT_TRUE((++state.picture_version, scene.make(state, view, 1)).contacts.empty());
 }
 
 TEST_F(SceneFrameTest, TrailsOverTheWindow) {
