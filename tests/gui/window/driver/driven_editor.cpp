@@ -18,7 +18,6 @@
 namespace elbowroom::test {
 namespace {
 
-
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
