@@ -12,7 +12,7 @@ if(TARGET elbowroom)
       set(folder gui/window/long)
       set(limit 900)
     endif()
-    elbowroom_tests(${name} ${folder} LABEL ${label} TIMEOUT ${limit}
+    elbowroom_tests(${name} ${folder} LABEL ${label} TIMEOUT ${limit} SERIAL
       LINK elbowroom_judge elbowroom_io elbowroom_anatomy nlohmann_json::nlohmann_json)
     if(TARGET ${name})
       target_sources(${name} PRIVATE ${CMAKE_CURRENT_LIST_DIR}/driver/driven_editor.cpp

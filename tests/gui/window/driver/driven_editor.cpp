@@ -173,7 +173,7 @@ bool DrivenEditor::wait_for_words(const std::string& words, double seconds) {
   return wait([&] { return shows(words); }, seconds);
 }
 
-bool DrivenEditor::settle(double seconds) {
+bool DrivenEditor::settle(double seconds, double quiet) {
   std::size_t count = frame_count();
   double since = now();
   return wait(
@@ -183,7 +183,7 @@ bool DrivenEditor::settle(double seconds) {
           count = now_drawn;
           since = now();
         }
-        return count > 0 && now() - since > 1;
+        return count > 0 && now() - since > quiet;
       },
       seconds);
 }
@@ -272,7 +272,10 @@ void DrivenEditor::drag(Pixel from, Pixel to, int button) {
   const std::size_t before = frame_count();
   glide(from, to, 8, 0.02);
   drawn(before);
+  // A hand lets go where it has come to rest and looks at what it has done.
+  settle(10, 0.3);
   release(button);
+  settle(10, 0.5);
   ++actions_;
 }
 

@@ -64,7 +64,7 @@ class DrivenEditor {
   bool wait_for(const std::string& name, double seconds = 20);
   bool wait_for_words(const std::string& words, double seconds = 20);
   // No frame for a second.
-  bool settle(double seconds = 60);
+  bool settle(double seconds = 60, double quiet = 1);
   double cpu_seconds() const;  // that the program has used so far
   void picture(const std::string& name) const;
 
