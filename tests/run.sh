@@ -1,16 +1,18 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Installs what is missing, builds Elbowroom with its tests, and runs the `fast` tier.
-# tests/run.sh long runs the long tier instead.
+# tests/run.sh long runs the long tier instead, tests/run.sh bench the benchmark of the planner.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # shellcheck source=app/packages.sh
 . "$root/app/packages.sh"
 tier=${1:-fast}
 case $tier in
-  fast | long) ;;
+  fast) target=all ;;
+  long) target=elbowroom_long_tests ;;
+  bench) target=elbowroom_benchmarks ;;
   *)
-    echo "usage: tests/run.sh [fast|long]" >&2
+    echo "usage: tests/run.sh [fast|long|bench]" >&2
     exit 1
     ;;
 esac
@@ -35,7 +37,11 @@ fi
 
 say "3/4 Building in $build (the first time takes some ten minutes)"
 cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DELBOWROOM_TESTS=ON
-cmake --build "$build"
+cmake --build "$build" --target "$target"
 
+if [ "$tier" = bench ]; then
+  say "4/4 The planner beside OMPL and FCL"
+  exec "$build/tests/elbowroom_bench"
+fi
 say "4/4 Tests, tier '$tier'"
 exec ctest --test-dir "$build" -L "$tier" --output-on-failure --no-tests=error -j 2

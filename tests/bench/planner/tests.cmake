@@ -11,6 +11,7 @@ if(ELBOWROOM_BENCH)
 
   file(GLOB bench_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/*.cpp)
   add_executable(elbowroom_bench ${bench_sources})
+  elbowroom_not_in_all(elbowroom_bench elbowroom_benchmarks)
   target_link_libraries(elbowroom_bench PRIVATE elbowroom_editing elbowroom_io elbowroom_test_support
                         Eigen3::Eigen ${OMPL_LIBRARY} ${FCL_LIBRARY} ${CCD_LIBRARY})
   target_include_directories(elbowroom_bench SYSTEM PRIVATE ${OMPL_INCLUDE_DIR} ${FCL_INCLUDE_DIR})
