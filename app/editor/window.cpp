@@ -127,7 +127,7 @@ class EditorWindow {
     int frames = kFramesAfterAnEvent;
     std::string title;
     while (true) {
-      if (frames > 0 || editor_.moving())
+      if (frames > 0 || editor_.moving() || input.mouse.waiting())
         glfwPollEvents();
       else if (editor_.working() || ui_->animating())
         glfwWaitEventsTimeout(kWorkingWait);
@@ -145,8 +145,8 @@ class EditorWindow {
       const bool changed = editor_.update(start);
       if (input.events > 0 || changed) frames = kFramesAfterAnEvent;
       const auto finer = quality_.redraw_at();
-      const bool alive =
-          editor_.moving() || editor_.working() || ui_->animating() || (finer && start >= *finer);
+      const bool alive = input.mouse.waiting() || editor_.moving() || editor_.working() ||
+                         ui_->animating() || (finer && start >= *finer);
       if (frames == 0 && !alive) continue;
       const double asked = input.first_event;
       const int events = std::exchange(input.events, 0);
@@ -201,8 +201,8 @@ class EditorWindow {
     ImGuiIO& io = ImGui::GetIO();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
-    // Dear ImGui sees the state of keys and mouse once a frame. A key that is up again already, or
-    // a button that went down before the mouse moved on, is shown to it all the same.
+    // Dear ImGui sees the state of keys and mouse once a frame. A key that is up again already is
+    // shown to it all the same; of the mouse, see mouse_queue.h.
     const std::vector<WindowInput::Key> pressed = std::exchange(input.keys, {});
     std::vector<int> held;
     for (const WindowInput::Key& key : pressed)
@@ -216,7 +216,15 @@ class EditorWindow {
       io.KeyShift |= (key.modifiers & GLFW_MOD_SHIFT) != 0;
       io.KeyAlt |= (key.modifiers & GLFW_MOD_ALT) != 0;
     }
-    if (const auto at = std::exchange(input.pressed_at, std::nullopt)) io.MousePos = *at;
+    const MouseQueue::Shown& mouse = input.mouse.next();
+    for (int i = 0; i < MouseQueue::kButtons; ++i)
+      io.MouseDown[i] = mouse.down[static_cast<std::size_t>(i)];
+    // Where the mouse is elsewhere the backend says so, and knows best.
+    if (ImGui::IsMousePosValid(&io.MousePos))
+      io.MousePos = ImVec2(static_cast<float>(mouse.x), static_cast<float>(mouse.y));
+    io.KeyCtrl |= (mouse.modifiers & GLFW_MOD_CONTROL) != 0;
+    io.KeyShift |= (mouse.modifiers & GLFW_MOD_SHIFT) != 0;
+    io.KeyAlt |= (mouse.modifiers & GLFW_MOD_ALT) != 0;
     ImGui::NewFrame();
     for (const int key : held) io.KeysDown[key] = false;
     ui_->begin_frame();

@@ -26,15 +26,12 @@ void watch_events(GLFWwindow* window, WindowInput& input) {
     input_of(w).note();
   });
   glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { input_of(w).note(); });
-  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int action, int) {
-    WindowInput& input = input_of(w);
-    if (action == GLFW_PRESS && !input.pressed_at)
-      input.pressed_at = ImVec2(static_cast<float>(input.x), static_cast<float>(input.y));
-    input.note();
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
+    input_of(w).mouse.button(button, action == GLFW_PRESS, modifiers);
+    input_of(w).note();
   });
   glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
-    input_of(w).x = x;
-    input_of(w).y = y;
+    input_of(w).mouse.moved(x, y);
     input_of(w).note();
   });
   glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { input_of(w).note(); });

@@ -3,11 +3,10 @@
 // did, when first, and what would be lost if only the state at the next frame counted.
 #pragma once
 
-#include <imgui.h>
-
 #include <filesystem>
-#include <optional>
 #include <vector>
+
+#include "app/editor/mouse_queue.h"
 
 struct GLFWwindow;
 
@@ -18,14 +17,13 @@ struct WindowInput {
   double first_event = -1;  // time of the oldest one that no frame has shown yet
   std::vector<std::filesystem::path> dropped;
   // What happened faster than a frame takes and must not be lost: keys pressed since the last frame
-  // (with their modifiers), and where the mouse was when a button went down.
+  // (with their modifiers), and what the mouse did.
   struct Key {
     int key = 0, modifiers = 0;
     bool repeated = false;
   };
   std::vector<Key> keys;
-  double x = 0, y = 0;
-  std::optional<ImVec2> pressed_at;
+  MouseQueue mouse;
 
   void note();
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/animation/affine.h"
 
@@ -291,14 +292,28 @@ double LimbIk::bend_to(double distance, int sense, double near, Bend& bend) cons
 // Where scales are not uniform the sum above has second harmonics; h(θ) = |end|² - distance².
 void LimbIk::bend_by_newton(double distance, Bend& bend) const {
   const Vec3 bone = bone_of(bend);
+  const Vec3 along = bend.axis * glm::dot(bend.axis, bone);
+  const Vec3 fixed = middle_offset_ + root_from_zero_ * along;
+  const Vec3 cosine_part = root_from_zero_ * (bone - along);
+  const Vec3 sine_part = root_from_zero_ * glm::cross(bend.axis, bone);
+  double best = bend.angle, least = std::numeric_limits<double>::infinity(), angle = bend.angle;
   for (int i = 0; i < 60; ++i) {
-    const Vec3 bent = glm::angleAxis(bend.angle, bend.axis) * bone;
-    const Vec3 end = middle_offset_ + root_from_zero_ * bent;
+    const double cosine = std::cos(angle), sine = std::sin(angle);
+    const Vec3 end = fixed + cosine * cosine_part + sine * sine_part;
     const double h = glm::dot(end, end) - distance * distance;
-    const double slope = 2 * glm::dot(end, root_from_zero_ * glm::cross(bend.axis, bent));
-    if (std::abs(h) < 1e-15 * distance * distance || slope == 0) return;
-    bend.angle -= std::clamp(h / slope, -0.3, 0.3);
+    const double slope = 2 * glm::dot(end, cosine * sine_part - sine * cosine_part);
+    const double before = least;
+    if (std::abs(h) < least) {
+      least = std::abs(h);
+      best = angle;
+    }
+    if (least < 1e-15 * distance * distance || slope == 0) break;
+    const double step = std::clamp(h / slope, -0.3, 0.3);
+    // Rounding is all that is left where a whole step no longer helps.
+    if (std::abs(h) >= 0.9 * before && std::abs(step) < 1e-6) break;
+    angle -= step;
   }
+  bend.angle = best;
 }
 
 // The same, with what the middle's kind leaves open taken from `near`: for a ball its sideways

@@ -79,8 +79,13 @@ class Search {
     result_.orientation_served = !target_.orientation || ik_.serves_orientation();
 
     if (!ik_.may_reach(target_)) {
-      // Stretched towards it, in the first posture within limits.
+      // Stretched towards it, in the first posture within limits; an orientation that no posture
+      // there takes up is given up, as the position already is.
       greedy(start_, true);
+      if (rank_ == kNone && target_.orientation) {
+        target_.orientation.reset();
+        greedy(start_, true);
+      }
       return finish();
     }
     if (greedy(start_, false)) return finish();
@@ -444,6 +449,9 @@ class Search {
         break;
       case kNone:
         result_.status = IkStatus::out_of_reach;
+        if (const double beyond = glm::length(target_.position - ik_.points(start_).root);
+            std::isfinite(beyond))
+          result_.miss = std::max(0.0, beyond - ik_.length());
         return result_;
     }
     if (best_.excess.radians > 0) {
@@ -466,7 +474,7 @@ class Search {
   }
 
   const LimbIk& ik_;
-  const IkTarget& target_;
+  IkTarget target_;
   const SwivelSearch& settings_;
   const PostureCheck& valid_;
   const DofSpace& space_;

@@ -269,11 +269,8 @@ void DrivenEditor::glide(Pixel from, Pixel to, int steps, double seconds_between
 void DrivenEditor::drag(Pixel from, Pixel to, int button) {
   move_to(from);
   press(button);
-  const std::size_t before = frame_count();
   glide(from, to, 8, 0.02);
-  drawn(before);
-  // A hand lets go where it has come to rest and looks at what it has done.
-  settle(10, 0.3);
+  // Without a rest before it lets go; then it looks at what it has done.
   release(button);
   settle(10, 0.5);
   ++actions_;
