@@ -1,10 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "app/editor/background.h"
 
+#ifdef __linux__
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
+
 #include <exception>
 #include <utility>
 
 namespace elbowroom {
+namespace {
+
+// Who looks at the window goes before who computes, where both want the same core. On Linux
+// niceness is a thread's own; elsewhere it is left as it is.
+void yield_to_the_window() {
+#ifdef __linux__
+  constexpr int kNiceness = 10;
+  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNiceness);
+#endif
+}
+
+}  // namespace
 
 void Mailbox::post(Letter letter) {
   {
@@ -43,6 +60,7 @@ std::stop_source BackgroundThread::run(Job job) {
 }
 
 void BackgroundThread::work(const std::stop_token& end) {
+  yield_to_the_window();
   while (true) {
     Entry entry;
     {

@@ -30,6 +30,8 @@ namespace {
 constexpr int kFramesAfterAnEvent = 3;       // Dear ImGui settles its layout within these
 constexpr double kWorkingWait = 0.1;         // s, between frames that only show a job's progress
 constexpr double kStillWhileWorking = 0.06;  // s, that a picture at rest may take meanwhile
+constexpr double kFrame = 0.032;             // s, that a frame may take while something moves
+constexpr double kLeastPicture = 0.008;      // s, of that for the picture, however slow the panels
 constexpr int kLeastWidth = 800, kLeastHeight = 560;
 
 std::string last_glfw_error;
@@ -152,8 +154,10 @@ class EditorWindow {
       const int events = std::exchange(input.events, 0);
       input.first_event = -1;
       if (frames > 0) --frames;
+      picture_seconds_ = 0;
       frame(input, events > 0);
       const double end = glfwGetTime();
+      panel_seconds_ += 0.2 * (end - start - picture_seconds_ - panel_seconds_);
       if (log)
         *log << start << ' ' << (asked >= 0 ? (end - asked) * 1e3 : -1.0) << ' '
              << (end - start) * 1e3 << ' ' << events << ' '
@@ -275,6 +279,7 @@ class EditorWindow {
                           !(key.camera == painted_.camera);
       // A picture at rest must not hold up what is being computed and watched.
       QualityBudget budget;
+      budget.moving = std::max(kLeastPicture, kFrame - panel_seconds_);
       if (editor_.working()) budget.still = kStillWhileWorking;
       quality_.set_budget(budget);
       const DrawQuality& quality =
@@ -290,7 +295,8 @@ class EditorWindow {
         return;
       }
       glFinish();
-      quality_.measured(glfwGetTime() - now);
+      picture_seconds_ = glfwGetTime() - now;
+      quality_.measured(picture_seconds_);
       painted_ = key;
     }
     renderer_.present(0, static_cast<int>(rect.min.x),
@@ -329,6 +335,8 @@ class EditorWindow {
   bool light_ = false;
   PictureKey painted_;
   QualityController quality_;
+  double picture_seconds_ = 0;    // of this frame
+  double panel_seconds_ = 0.008;  // what the rest of a frame takes, smoothed
   std::string widgets_;
 };
 
