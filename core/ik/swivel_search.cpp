@@ -470,6 +470,10 @@ class Search {
       }
     }
     result_.state = ik_.state(clamp_to_limits(space_, q));
+    // What an orientation kept from stretching may reach farther without it.
+    if (result_.status == IkStatus::out_of_reach)
+      result_.miss =
+          std::min(result_.miss, glm::distance(ik_.points(result_.state.q).end, target_.position));
     return result_;
   }
 
