@@ -93,9 +93,9 @@ class Judged {
     if (!write_thing(problem, thing)) throw std::runtime_error("the thing can't be written");
     ++tally.tried;
     const ProgramRun run =
-        run_program(kProgram, {"correct", "--character", figure.file, "--clip",
-                               std::to_string(stage.clip()), "--limb", stage.limb().name,
-                               "--obstacles", thing, "-o", out, "--report", report_file});
+        run_program(program(), {"correct", "--character", figure.file, "--clip",
+                                std::to_string(stage.clip()), "--limb", stage.limb().name,
+                                "--obstacles", thing, "-o", out, "--report", report_file});
     const auto report = read_json(report_file);
     if (run.exit_code == 3) {
       ++tally.declined;
