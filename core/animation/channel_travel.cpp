@@ -139,12 +139,8 @@ double travel_of(const Reader& reader, double begin, double end, double middle) 
       most = std::max(most, distance(reader.value(k), from));
     return most;
   }
-  if (reader.cubic())
-    return longer_side(channel, begin, end, middle, [&](std::size_t key, double u0, double u1) {
-      return reader.steepest(key, u0, u1) * (u1 - u0);
-    });
-  // Straight between keys: farthest at a key or an end.
   const auto at = [&](std::size_t key, double u) {
+    if (reader.cubic()) return reader.hermite(key, u, 0);
     const Values a = reader.value(key), b = reader.value(key + 1);
     Values v{};
     for (std::size_t k = 0; k < reader.count; ++k) v[k] = a[k] + (b[k] - a[k]) * u;
@@ -159,11 +155,21 @@ double travel_of(const Reader& reader, double begin, double end, double middle) 
     }
   });
   if (!known)  // the middle lies outside the keys, where the value is that of the nearer end
-    from = reader.value(middle < channel.times.front() ? 0 : channel.times.size() - 1);
+    from = reader.value(middle <= channel.times.front() ? 0 : channel.times.size() - 1);
+  // A piece lies in the hull of its ends and, where it bends, of its Bézier points.
   double most = 0;
   for_pieces(channel, begin, end, [&](std::size_t key, double x0, double x1) {
-    most = std::max({most, distance(at(key, share(channel, key, x0)), from),
-                     distance(at(key, share(channel, key, x1)), from)});
+    const double u0 = share(channel, key, x0), u1 = share(channel, key, x1);
+    const Values first = at(key, u0), last = at(key, u1);
+    most = std::max({most, distance(first, from), distance(last, from)});
+    if (!reader.cubic()) return;
+    const Values out = reader.hermite(key, u0, 1), in = reader.hermite(key, u1, 1);
+    Values after{}, before{};
+    for (std::size_t k = 0; k < reader.count; ++k) {
+      after[k] = first[k] + (u1 - u0) / 3 * out[k];
+      before[k] = last[k] - (u1 - u0) / 3 * in[k];
+    }
+    most = std::max({most, distance(after, from), distance(before, from)});
   });
   return most;
 }

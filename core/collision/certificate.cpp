@@ -50,6 +50,7 @@ NodeReference reference_of(const Data& data, const TestPair& pair, int limb) {
 }
 
 struct Proof {
+  SceneCollision& scene;
   Data& data;
   int limb;
   const CertificateSettings& settings;
@@ -172,6 +173,16 @@ struct Proof {
   }
 
   bool stretch_free(double begin, double end) {
+    // What is inside of what, too.
+    if (scene.limb_in_contact(begin, limb, data.touching())) {
+      std::vector<ContactSample> contacts;
+      scene.contacts_at(begin, limb, false, contacts);
+      fail(nullptr, begin, "the two are in contact");
+      if (contacts.empty()) return false;
+      certificate.part_a = contacts.front().part_a;
+      certificate.part_b = contacts.front().part_b;
+      return false;
+    }
     data.pose(begin);
     const auto& pairs = data.pairs_now().pairs;
     std::vector<std::size_t> asked;
@@ -208,7 +219,7 @@ Certificate certify_limb(SceneCollision& scene, int limb, double begin, double e
                   [](const auto& posed) { return posed.has_value(); }))
     return refused("a limb is posed by hand");
 
-  Proof proof{data, limb, settings, stop, MotionBound(data.world), {}, 0, {}, {}, {}};
+  Proof proof{scene, data, limb, settings, stop, MotionBound(data.world), {}, 0, {}, {}, {}};
   proof.certificate.shortest = end - begin;
   proof.poses_left = static_cast<long>(
       std::min(1e9, static_cast<double>(settings.most_poses) * std::max(0.1, end - begin)));

@@ -24,7 +24,7 @@
 //  patches
 //    gathered from it, is not certified.
 //  * Inside and outside cannot change where surfaces never touch; that nothing is inside something
-//    at one time between two steps is for the verification to see.
+//    is looked at once between two steps.
 //
 // Deterministic; no clock. One thread at a time. Cost: some hundred poses a second of motion, most
 // of them for the few bodies that are near something.
@@ -40,7 +40,7 @@ namespace elbowroom {
 
 struct CertificateSettings {
   double longest = 1.0 / 30;  // seconds; what is begun with
-  double smallest = 1.0e-5;   // seconds; what is not free by then is not certified
+  double smallest = 1.0e-7;   // seconds; what is not free by then is not certified
   long most_poses = 4000;     // for each second of the interval; then it is given up
 };
 
