@@ -64,10 +64,13 @@ std::string correction_report(const std::string& status, const Session& session,
                                                                     : "failed";
     item["seed"] = window.seed;
     item["certified"] = window.certified;
+    if (!window.not_certified.empty()) item["not_certified"] = window.not_certified;
+    item["depth_sampled"] = window.depth_sampled;
     item["min_clearance"] = window.min_clearance;
     item["plan_ms"] = window.plan_ms;
     item["smooth_ms"] = window.smooth_ms;
     item["verify_ms"] = window.verify_ms;
+    item["certify_ms"] = window.certify_ms;
     item["total_ms"] = window.total_ms;
     item["validity_checks"] = window.validity_checks;
     item["edge_checks"] = window.edge_checks;

@@ -141,6 +141,7 @@ Result<CollisionBody> CollisionBody::build(const Actor& actor, int actor_index, 
   if (!mesh) return mesh.error();
   body.mesh_ = std::make_unique<CollisionMesh>(std::move(mesh).value());
   body.cut(patch_diameter, weld_tolerance);
+  body.measure_radii();
   return body;
 }
 

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/collision/mesh_pair.h"
+#include "core/collision/motion_bound.h"
 #include "core/scene/world.h"
 
 namespace elbowroom {
@@ -84,6 +85,17 @@ class CollisionBody {
   // 1 where the file's winding looks outward, -1 where it looks inward (a mirrored mesh).
   double winding(std::uint32_t triangle) const { return winding_[triangle]; }
 
+  // Bounds of how far the body gets during an interval from where it is at the interval's middle
+  // (motion_bound.h), in the frame that `by_node` is in; `state` is its actor's at the middle. A
+  // skinned vertex travels at most the weighted sum of what its joints make it travel; a triangle,
+  // whose points lie between its corners, at most as far as the farthest of them. Of all of it:
+  // from its joints alone, no vertex is looked at.
+  double most_travel(const ActorState& state, const MotionBound& bound,
+                     const std::vector<PointTravel>& by_node) const;
+  // By triangle; rounded up. O(n).
+  void triangle_travel(const ActorState& state, const MotionBound& bound,
+                       const std::vector<PointTravel>& by_node, std::vector<float>& out) const;
+
  private:
   CollisionBody() = default;
   Status bake(const ActorState& state);
@@ -106,6 +118,12 @@ class CollisionBody {
     int mesh;
     std::uint32_t first_vertex;  // its vertices in this body are contiguous
   };
+  struct MorphReach {  // of one vertex: how far morphs have moved it, and may yet
+    double now = 0, change = 0;
+  };
+  void measure_radii();
+  MorphReach morph_reach(const ActorState& state, const MotionBound& bound,
+                         std::uint32_t vertex) const;
 
   int actor_ = -1, frame_node_ = -1;
   bool deforms_ = false;
@@ -119,6 +137,11 @@ class CollisionBody {
   std::vector<Weight> weights_;
   std::vector<std::uint32_t> morph_begin_;  // empty if nothing morphs
   std::vector<Morph> morphs_;
+  // Distances from the origin of what a vertex follows, in its units, before morphs: by weight (by
+  // vertex for a rigid body), and the largest by slot (by source).
+  std::vector<float> radius_;
+  std::vector<double> largest_radius_, bind_stretch_;
+  std::vector<std::uint32_t> source_of_;  // by vertex, if anything morphs
 
   std::unique_ptr<CollisionMesh> mesh_;
   mutable bool stale_ = false;  // mesh_ does not have the places of scratch_ yet

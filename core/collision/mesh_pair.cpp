@@ -73,6 +73,32 @@ bool visit_search(void* context, std::uint32_t one, const std::uint32_t* many, i
   return false;
 }
 
+// Looks for the first pair within its own distance.
+struct ReachSearch {
+  const Query& query;
+  const TriangleReach& reach;
+  PairCache* cache;
+};
+
+bool visit_reach(void* context, std::uint32_t one, const std::uint32_t* many, int count,
+                 bool one_is_a) {
+  ReachSearch& search = *static_cast<ReachSearch*>(context);
+  const Query& q = search.query;
+  const TrianglePoints first = one_is_a ? q.triangle_a(one) : q.triangle_b(one);
+  for (int i = 0; i < count; ++i) {
+    const std::uint32_t ta = one_is_a ? one : many[i], tb = one_is_a ? many[i] : one;
+    if (q.filter.allows(ta, tb)) continue;
+    const double distance = search.reach.apart + static_cast<double>(search.reach.of_a[ta]) +
+                            static_cast<double>(search.reach.of_b[tb]);
+    const bool near = one_is_a ? triangles_touch(first, q.triangle_b(tb), distance)
+                               : triangles_touch(q.triangle_a(ta), first, distance);
+    if (!near) continue;
+    if (search.cache) *search.cache = {ta, tb, true};
+    return true;
+  }
+  return false;
+}
+
 // Collects all contacts.
 struct Collection {
   const Query& query;
@@ -231,6 +257,23 @@ bool in_contact(const CollisionMesh& a, const CollisionMesh& b, const RigidTrans
   // No contact was found, so only allowed pairs can cross.
   return for_containments(query, filter.allowed != nullptr,
                           [](std::uint32_t, std::uint32_t, bool, const Vec3&) { return true; });
+}
+
+bool reach_each_other(const CollisionMesh& a, const CollisionMesh& b,
+                      const RigidTransform& a_from_b, const TriangleReach& reach,
+                      const PatchFilter& filter, PairCache* cache) {
+  const Query query{a.data(), b.data(), a_from_b, usable_distance(reach.most + reach.apart),
+                    filter};
+  if (query.a.tree.empty() || query.b.tree.empty()) return false;
+  // A reach that is no number proves nothing.
+  if (!is_finite(a_from_b) || !(reach.most + reach.apart >= 0)) return true;
+  ReachSearch search{query, reach, cache};
+  if (cache && cache->set && cache->triangle_a < query.a.triangles.size() &&
+      cache->triangle_b < query.b.triangles.size()) {
+    if (visit_reach(&search, cache->triangle_a, &cache->triangle_b, 1, true)) return true;
+  }
+  return visit_close_pairs(query.a.tree, query.b.tree, a_from_b, query.distance, visit_reach,
+                           &search);
 }
 
 void find_contacts(const CollisionMesh& a, const CollisionMesh& b, const RigidTransform& a_from_b,

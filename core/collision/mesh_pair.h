@@ -64,6 +64,21 @@ struct TriangleContact {
 bool in_contact(const CollisionMesh& a, const CollisionMesh& b, const RigidTransform& a_from_b,
                 double distance, const PatchFilter& filter = {}, PairCache* cache = nullptr);
 
+// Distances by triangle: how far each of a mesh may still get.
+struct TriangleReach {
+  const float* of_a = nullptr;  // one a triangle of mesh a, ≥ 0
+  const float* of_b = nullptr;
+  double most = 0;   // no less than any sum of one of each
+  double apart = 0;  // what is to be kept beside
+};
+
+// True if two triangles that are not allowed are at a distance ≤ apart + of_a + of_b: what has to
+// be false for two surfaces never to touch while each gets no farther than its reach. Containment
+// is not looked at: surfaces that never touch leave inside and outside as they are.
+bool reach_each_other(const CollisionMesh& a, const CollisionMesh& b,
+                      const RigidTransform& a_from_b, const TriangleReach& reach,
+                      const PatchFilter& filter = {}, PairCache* cache = nullptr);
+
 // All pairs in contact, in a fixed order; allowed ones too, unless the filter says so.
 void find_contacts(const CollisionMesh& a, const CollisionMesh& b, const RigidTransform& a_from_b,
                    double distance, const PatchFilter& filter, std::vector<TriangleContact>& out);

@@ -4,7 +4,9 @@
 //
 // What comes out has been looked at on the deformed skin: at 240 Hz, at every key and at 1,000
 // random times of the window. A motion that fails is replanned, with a larger margin and at last on
-// the deformed skin itself, or reported as failed; it is never returned as good.
+// the deformed skin itself, or reported as failed; it is never returned as good. What lies between
+// these times is proven where it can be (certificate.h); a motion that is verified but not proven is
+// taken only if a few more tries bring no proven one, and says so.
 //
 // Deterministic for a seed and an iteration budget. Runs on the calling thread; stop tokens are
 // answered within 50 ms.
@@ -29,9 +31,13 @@ struct WindowReport {
   int limb = -1;
   double begin = 0, end = 0;  // seconds, float32 values
   std::uint64_t seed = 0;     // of the attempt that was taken
-  bool certified = false;     // true only with a continuous proof
+  bool certified = false;     // true only with a proof for all times of the window
+                              // (certificate.h says what of)
+  std::string not_certified;  // why not: pair, time and reason
+  std::vector<std::string> depth_sampled;  // pairs that may touch as deep as in the clip and come
+                                           // near: their depth is known at the samples only
   double min_clearance = 0;   // scene units, over the verified samples
-  double plan_ms = 0, smooth_ms = 0, verify_ms = 0, total_ms = 0;
+  double plan_ms = 0, smooth_ms = 0, verify_ms = 0, certify_ms = 0, total_ms = 0;
   long validity_checks = 0, edge_checks = 0, iterations = 0;
   int landmarks = 0;
   double peak_speed = 0;           // rad/s, any DOF

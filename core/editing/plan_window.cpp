@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "core/base/random.h"
+#include "core/collision/certificate.h"
 #include "core/collision/limb_planning_space.h"
 #include "core/editing/limb_keys.h"
 #include "core/editing/limb_track.h"
@@ -24,6 +25,7 @@ constexpr int kRandomTimes = 1000;
 constexpr std::uint64_t kPartSeed = 15485863;
 constexpr double kLeastKeyRate = 60;     // Hz
 constexpr int kSeedsWithAPath = 2;       // for an attempt whose first path did not hold
+constexpr int kTriesForAProof = 3;       // after a motion that is verified but not proven
 constexpr double kClearanceReach = 0.1;  // × height: farther obstacles are not measured
 
 using Clock = std::chrono::steady_clock;
@@ -104,6 +106,23 @@ std::string verify(WindowProblem& p, const std::shared_ptr<const Clip>& clip,
     min_clearance = std::min(min_clearance, scene.limb_clearance(t, p.limb_index, min_clearance));
   }
   return {};
+}
+
+// A proof for all times of the window, of the keys that were just verified.
+void certify(WindowProblem& p, const std::stop_token& stop, const ProgressSink& progress,
+             WindowReport& report) {
+  if (progress) progress({"proving the motion", -1});
+  const auto start = Clock::now();
+  Certificate certificate = certify_limb(*p.scene, p.limb_index, p.begin, p.end, {}, stop);
+  report.certified = certificate.holds;
+  report.depth_sampled = std::move(certificate.depth_sampled);
+  report.not_certified.clear();
+  if (!certificate.holds)
+    report.not_certified =
+        (certificate.part_a.empty() ? std::string("the motion")
+                                    : certificate.part_a + " with " + certificate.part_b) +
+        at_time(certificate.time) + ": " + certificate.reason;
+  report.certify_ms += ms_since(start);
 }
 
 // How much an animator has to like it: mean squared distance from the clip's parameters (rad²), the
@@ -275,8 +294,9 @@ bool plan_and_verify(WindowProblem& p, const Attempt& attempt, const PlanningWis
   report.min_clearance = kClearanceReach * p.scene->height();
   const std::string hit = verify(p, candidate.clip, correction.joints.front().keys.times, seed,
                                  stop, progress, report.min_clearance);
-  p.scene->set_clip(p.clip);
   report.verify_ms += ms_since(verify_start);
+  if (hit.empty()) certify(p, stop, progress, report);
+  p.scene->set_clip(p.clip);
   if (!hit.empty()) {
     if (stop.stop_requested()) report.status = CorrectionStatus::cancelled;
     report.reason = "the planned motion touches on the deformed skin";
@@ -291,6 +311,18 @@ bool plan_and_verify(WindowProblem& p, const Attempt& attempt, const PlanningWis
   return true;
 }
 
+// Takes over what attempts have cost so far, and what was said of them.
+void take_costs(const WindowReport& spent, WindowReport& report) {
+  report.attempts = spent.attempts;
+  report.plan_ms = spent.plan_ms;
+  report.smooth_ms = spent.smooth_ms;
+  report.verify_ms = spent.verify_ms;
+  report.certify_ms = spent.certify_ms;
+  report.iterations = spent.iterations;
+  report.validity_checks = spent.validity_checks;
+  report.edge_checks = spent.edge_checks;
+}
+
 bool try_once(WindowProblem& p, const Attempt& attempt, const PlanningWishes& wishes,
               std::uint64_t seed, const std::stop_token& stop, const ProgressSink& progress,
               Candidate& candidate) {
@@ -301,8 +333,12 @@ bool try_once(WindowProblem& p, const Attempt& attempt, const PlanningWishes& wi
                 attempt.on_skin ? "deformed skin" : "rigid parts", attempt.clearance,
                 attempt.body_clearance, attempt.margin, 100 * attempt.near_share);
   WindowReport& report = candidate.report;
-  report.attempts.push_back(text + (found ? "found and verified" : report.reason) +
-                            (report.blocked_by.empty() ? "" : "; " + report.blocked_by));
+  report.attempts.push_back(
+      text +
+      (found ? (report.certified ? "found and proven"
+                                 : "found and verified, not proven; " + report.not_certified)
+             : report.reason) +
+      (report.blocked_by.empty() ? "" : "; " + report.blocked_by));
   return found;
 }
 
@@ -380,29 +416,37 @@ WindowPlan plan_window(WindowProblem p, const PlanningWishes& wishes, const std:
   std::optional<Candidate> best;
   Candidate failed;  // gathers the counts and the last reason
   failed.report = report;
-  for (std::size_t k = 0; k < attempts.size() && !best; ++k) {
+  // Proven motions come before those that are only verified, and then the cheaper ones.
+  const auto better = [](const Candidate& a, const Candidate& b) {
+    return a.report.certified != b.report.certified ? a.report.certified : a.cost < b.cost;
+  };
+  const int asked = std::max(1, wishes.alternatives);
+  int tries_for_proof = kTriesForAProof;
+  std::size_t best_attempt = 0;
+  const auto enough = [&] { return best && (best->report.certified || tries_for_proof <= 0); };
+  for (std::size_t k = 0; k < attempts.size() && !enough(); ++k) {
     // A path whose curve or keys did not hold is worth another one.
-    int tries = std::max(1, wishes.alternatives);
+    int tries = asked;
     for (int alternative = 0; alternative < tries; ++alternative) {
       if (stop.stop_requested()) break;
+      if (best && (k != best_attempt || alternative >= asked)) {
+        if (enough()) break;
+        --tries_for_proof;
+      }
       Candidate candidate;
       candidate.report = failed.report;
       const std::uint64_t seed =
           wishes.seed + 1000003ull * k + 7919ull * static_cast<std::uint64_t>(alternative);
       if (try_once(p, attempts[k], wishes, seed, stop, progress, candidate)) {
-        if (!best || candidate.cost < best->cost) best = candidate;
+        if (!best) best_attempt = k;
+        if (!best || better(candidate, *best)) best = candidate;
+        if (!best->report.certified) tries = std::max(tries, kSeedsWithAPath);
       } else if (candidate.planned && !best && alternative == 0) {
         tries = std::max(tries, kSeedsWithAPath);
       }
       // What an attempt cost is part of the whole, whether or not it is taken.
       const WindowReport& spent = candidate.report;
-      failed.report.attempts = spent.attempts;
-      failed.report.plan_ms = spent.plan_ms;
-      failed.report.smooth_ms = spent.smooth_ms;
-      failed.report.verify_ms = spent.verify_ms;
-      failed.report.iterations = spent.iterations;
-      failed.report.validity_checks = spent.validity_checks;
-      failed.report.edge_checks = spent.edge_checks;
+      take_costs(spent, failed.report);
       if (spent.status != CorrectionStatus::corrected) {
         failed.report.reason = spent.reason;
         failed.report.blocked_by = spent.blocked_by;
@@ -413,6 +457,7 @@ WindowPlan plan_window(WindowProblem p, const PlanningWishes& wishes, const std:
   scene.set_clip(clip);
   if (best && !stop.stop_requested()) {
     report = best->report;
+    take_costs(failed.report, report);
     result.correction = std::move(best->correction);
   } else {
     report = failed.report;

@@ -109,13 +109,17 @@ inline void correct_and_judge(const CorrectCall& call, const Folder& folder) {
     delivered.windows.push_back(window);
     std::printf(
         "  %s %s [%.3f, %.3f] clearance %.4g deviation %.3f rad peak %.2f rad/s "
-        "plan %.1f smooth %.1f verify %.1f total %.1f ms, %d attempts\n",
+        "plan %.1f smooth %.1f verify %.1f certify %.1f total %.1f ms, %d attempts, %s%s\n",
         call.character.filename().c_str(), correction["limb"].get<std::string>().c_str(),
         window.begin, window.end, correction["min_clearance"].get<double>(),
         correction["deviation_from_clip"].get<double>(), correction["peak_speed"].get<double>(),
         correction["plan_ms"].get<double>(), correction["smooth_ms"].get<double>(),
-        correction["verify_ms"].get<double>(), correction["total_ms"].get<double>(),
-        static_cast<int>(correction["attempts"].size()));
+        correction["verify_ms"].get<double>(), correction["certify_ms"].get<double>(),
+        correction["total_ms"].get<double>(), static_cast<int>(correction["attempts"].size()),
+        correction["certified"].get<bool>() ? "certified" : "NOT CERTIFIED: ",
+        correction.value("not_certified", std::string()).c_str());
+    // A motion that is not proven has to say what stood in the way of a proof.
+    EXPECT_NE(correction["certified"].get<bool>(), correction.contains("not_certified"));
   }
   const int samples = expect_delivered(delivered);
   std::printf("  judged at %d times\n", samples);
