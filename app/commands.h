@@ -39,6 +39,7 @@ struct SolveOptions {
   std::string project;
   std::string out;
   std::string report;
+  std::string per_file;  // folder: each source that was changed, under its own name
 };
 int run_solve(const SolveOptions& options, std::stop_token stop);
 

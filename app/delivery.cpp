@@ -26,10 +26,37 @@ void print_windows(const Session& session, const CorrectionOutcome& outcome) {
                   window.status == CorrectionStatus::cancelled ? "interrupted" : "not corrected",
                   window.reason.c_str(), window.blocked_by.empty() ? "" : "; blocked by ",
                   window.blocked_by.c_str());
+    for (const Suggestion& suggestion : window.suggestions)
+      std::printf("             tried: %s\n", suggestion.text().c_str());
   }
 }
 
+// One file for each other way around, beside the best one's. Ways of several windows are not
+// combined: that they go together nobody has looked at.
+Status deliver_other_ways(const Session& session, const CorrectionOutcome& outcome,
+                          const std::filesystem::path& out) {
+  if (outcome.windows.size() != 1) return Done{};
+  std::size_t rank = 1;
+  for (const auto& other : outcome.other_ways) {
+    const auto clip = lay_over(session.scene.model().skeleton, *session.clip(), {other.correction});
+    if (!clip) return clip.error();
+    const auto file = other_way_file(out, ++rank);
+    if (const auto written = deliver_clip(session.document.scene.character, *clip, file); !written)
+      return written.error();
+    std::printf("wrote %s, another way around: cost %.3f against %.3f\n", file.c_str(),
+                other.report.cost, outcome.windows.front().cost);
+  }
+  return Done{};
+}
+
 }  // namespace
+
+std::filesystem::path other_way_file(const std::filesystem::path& out, std::size_t rank) {
+  std::filesystem::path file = out;
+  file.replace_filename(out.stem().string() + "-" + std::to_string(rank) +
+                        out.extension().string());
+  return file;
+}
 
 int refuse(const Error& error, const std::string& report) {
   print_error(error);
@@ -43,7 +70,7 @@ int deliver(const Session& session, const SceneCollision& scene, const Correctio
   clear_progress();
   const auto report = [&](const std::string& status) {
     Status written =
-        write_report(places.report, correction_report(status, session, scene, outcome));
+        write_report(places.report, correction_report(status, session, scene, outcome, places));
     if (!written) print_error(written.error());
     return written.ok();
   };
@@ -68,6 +95,24 @@ int deliver(const Session& session, const SceneCollision& scene, const Correctio
                 exported->animations.front().name.c_str());
   else
     std::printf("nothing to correct; %s is a copy\n", places.out.c_str());
+  if (Status others = deliver_other_ways(session, outcome, places.out); !others)
+    return refuse(others.error(), places.report);
+  if (!places.per_file.empty()) {
+    const auto patched = places.per_file / source.filename();
+    std::error_code failed;
+    std::filesystem::create_directories(places.per_file, failed);
+    if (failed)
+      return refuse({"the folder can't be made: " + failed.message(), places.per_file.string(),
+                     "choose another one"},
+                    places.report);
+    if (std::filesystem::equivalent(patched, source, failed))
+      return refuse({"that would write over the source", patched.string(),
+                     "choose another folder for --per-file"},
+                    places.report);
+    if (const auto written = deliver_clip(source, *outcome.clip, patched); !written)
+      return refuse(written.error(), places.report);
+    std::printf("wrote %s\n", patched.c_str());
+  }
   return report(exported->animations.empty() ? "nothing_to_correct" : "corrected") ? kExitDone
                                                                                    : kExitBadInput;
 }

@@ -3,6 +3,7 @@
 // beside it and the exit code. Shared by `correct` and `solve`.
 #pragma once
 
+#include <filesystem>
 #include <stop_token>
 #include <string>
 
@@ -12,9 +13,13 @@
 namespace elbowroom {
 
 struct DeliveryPlaces {
-  std::string out;
-  std::string report;  // may be empty
+  std::filesystem::path out;
+  std::string report;              // may be empty
+  std::filesystem::path per_file{};  // folder for the source's own name; may be empty
 };
+
+// Where the way around of that rank goes, 2 being the second best: OUT-2.glb beside OUT.glb.
+std::filesystem::path other_way_file(const std::filesystem::path& out, std::size_t rank);
 
 // Writes out and report, prints what was done, and returns the exit code. Nothing but the report is
 // written unless every window was corrected (or there was nothing to correct).

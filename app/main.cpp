@@ -102,6 +102,10 @@ int main(int argc, char** argv) {
   solve_command->add_option("-o,--out", solve.out, "the corrected file")
       ->type_name("OUT.glb")
       ->required();
+  solve_command
+      ->add_option("--per-file", solve.per_file,
+                   "write each source file that was changed into this folder too, under its name")
+      ->type_name("DIR");
   solve_command->add_option("--report", solve.report, "write a report")->type_name("R.json");
 
   RenderOptions render;

@@ -49,7 +49,8 @@ std::string text_of(const Json& report) {
 }  // namespace
 
 std::string correction_report(const std::string& status, const Session& session,
-                              const SceneCollision& scene, const CorrectionOutcome& outcome) {
+                              const SceneCollision& scene, const CorrectionOutcome& outcome,
+                              const DeliveryPlaces& places) {
   Json report;
   report["status"] = status;
   report["clip"] = session.clip_name();
@@ -79,9 +80,35 @@ std::string correction_report(const std::string& status, const Session& session,
     item["peak_speed"] = window.peak_speed;
     item["peak_acceleration"] = window.peak_acceleration;
     item["deviation_from_clip"] = window.deviation_from_clip;
+    item["cost"] = window.cost;
     item["attempts"] = window.attempts;
     item["blocked_by"] = window.blocked_by.empty() ? Json() : Json(window.blocked_by);
     if (!window.reason.empty()) item["reason"] = window.reason;
+    std::size_t rank = 1;
+    for (const auto& other : outcome.other_ways) {
+      if (&outcome.windows[other.window] != &window) continue;
+      const WindowReport& way = other.report;
+      Json entry{{"cost", way.cost},
+                 {"seed", way.seed},
+                 {"certified", way.certified},
+                 {"min_clearance", way.min_clearance},
+                 {"peak_speed", way.peak_speed},
+                 {"peak_acceleration", way.peak_acceleration},
+                 {"deviation_from_clip", way.deviation_from_clip}};
+      ++rank;
+      if (outcome.windows.size() == 1) entry["file"] = other_way_file(places.out, rank).string();
+      item["alternatives"].push_back(std::move(entry));
+    }
+    if (window.status == CorrectionStatus::failed) {
+      item["suggestions"] = Json::array();
+      for (const Suggestion& suggestion : window.suggestions)
+        item["suggestions"].push_back(
+            {{"what", suggestion_id(suggestion.kind)},
+             {"works", suggestion.works},
+             {"limb", suggestion.limb},
+             {"window", Json::array({suggestion.window.lower, suggestion.window.upper})},
+             {"text", suggestion.text()}});
+    }
     report["corrections"].push_back(item);
     for (const auto& name : window.limits_widened)
       widened.push_back({{"limb", limb_name(scene, window.limb)}, {"dof", name}});

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "app/delivery.h"
 #include "core/base/result.h"
 #include "core/editing/correct.h"
 #include "core/editing/session.h"
@@ -14,7 +15,8 @@ namespace elbowroom {
 
 // status: "corrected", "nothing_to_correct", "failed", "interrupted".
 std::string correction_report(const std::string& status, const Session& session,
-                              const SceneCollision& scene, const CorrectionOutcome& outcome);
+                              const SceneCollision& scene, const CorrectionOutcome& outcome,
+                              const DeliveryPlaces& places);
 
 // status: "free", "contacts".
 std::string check_report(const std::string& status, const Session& session,

@@ -49,7 +49,7 @@ int run_solve(const SolveOptions& options, std::stop_token stop) {
     whole.clip = outcome->clip;
     if (stop.stop_requested()) break;
   }
-  return deliver(*session, *scene, whole, {options.out, options.report});
+  return deliver(*session, *scene, whole, {options.out, options.report, options.per_file});
 }
 
 }  // namespace elbowroom

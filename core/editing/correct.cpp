@@ -4,15 +4,51 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/editing/motion_cost.h"
 #include "core/editing/plan_window.h"
+#include "core/editing/suggestions.h"
 
 namespace elbowroom {
 namespace {
 
 constexpr double kScanRate = 120;  // Hz, of the contacts listed before and after
+// A window of its own making is made wider where it fails, or where there is too little time to
+// move naturally.
+constexpr double kWider[] = {0.25, 0.6};  // s, on each side
+constexpr double kHurried = 0.3;          // a cost worth a try with more time
 
 bool involves(const ContactInterval& contact, const std::vector<int>& limbs) {
   return std::find(limbs.begin(), limbs.end(), contact.deepest.limb) != limbs.end();
+}
+
+// Plans a window that nobody has set: a wider one where it fails or is hurried, if that is better.
+WindowPlan plan_with_time(SceneCollision& scene, const std::shared_ptr<const Clip>& clip, int limb,
+                          const ProposedWindow& window, const PlanningWishes& wishes,
+                          double clearance, double before, double after,
+                          const std::stop_token& stop, const ProgressSink& progress) {
+  WindowPlan best =
+      plan_window(scene, clip, limb, window.begin, window.end, wishes, stop, progress);
+  for (const double by : kWider) {
+    if (stop.stop_requested() || (best.correction && best.report.cost < kHurried)) break;
+    auto wide = widened_window(scene, limb, {window.begin, window.end}, by, clearance);
+    if (!wide) continue;
+    // Not into the windows beside it.
+    wide->lower = std::max(wide->lower, std::min(before, window.begin));
+    wide->upper = std::min(wide->upper, std::max(after, window.end));
+    WindowPlan other =
+        plan_window(scene, clip, limb, wide->lower, wide->upper, wishes, stop, progress);
+    if (stop.stop_requested()) break;
+    // Costs are means over the window: as sums they compare.
+    const double best_sum = best.report.cost * (best.report.end - best.report.begin);
+    const double other_sum = other.report.cost * (other.report.end - other.report.begin);
+    const bool better = other.correction &&
+                        (!best.correction ||
+                         (other.report.certified >= best.report.certified && other_sum < best_sum));
+    const double total = best.report.total_ms + other.report.total_ms;
+    if (better) best = std::move(other);
+    best.report.total_ms = total;
+  }
+  return best;
 }
 
 }  // namespace
@@ -99,9 +135,19 @@ Result<CorrectionOutcome> correct(SceneCollision& scene, const std::vector<int>&
         outcome.windows.push_back(report);
         continue;
       }
-      auto planned = plan_window(scene, outcome.clip, limb, window.begin, window.end, task.wishes,
-                                 stop, progress);
+      const double before = w > 0 ? windows[w - 1].end : source->begin;
+      const double after = w + 1 < windows.size() ? windows[w + 1].begin : source->end;
+      auto planned = task.window ? plan_window(scene, outcome.clip, limb, window.begin, window.end,
+                                               task.wishes, stop, progress)
+                                 : plan_with_time(scene, outcome.clip, limb, window, task.wishes,
+                                                  clearance, before, after, stop, progress);
+      if (!planned.correction && !stop.stop_requested())
+        planned.report.suggestions =
+            try_suggestions(scene, planned.report, task.wishes, stop, progress);
       outcome.windows.push_back(planned.report);
+      for (auto& other : planned.alternatives)
+        outcome.other_ways.push_back(
+            {outcome.windows.size() - 1, std::move(other.report), std::move(other.correction)});
       if (planned.correction) {
         auto laid = lay_over(model.skeleton, *outcome.clip, {*planned.correction});
         if (!laid) return laid.error();

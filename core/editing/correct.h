@@ -5,14 +5,15 @@
 // What comes out has been looked at on the deformed skin: at 240 Hz, at every key and at 1,000
 // random times of the window. A motion that fails is replanned, with a larger margin and at last on
 // the deformed skin itself, or reported as failed; it is never returned as good. What lies between
-// these times is proven where it can be (certificate.h); a motion that is verified but not proven is
-// taken only if a few more tries bring no proven one, and says so.
+// these times is proven where it can be (certificate.h); a motion that is verified but not proven
+// is taken only if a few more tries bring no proven one, and says so.
 //
 // Deterministic for a seed and an iteration budget. Runs on the calling thread; stop tokens are
 // answered within 50 ms.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -25,33 +26,53 @@ namespace elbowroom {
 
 enum class CorrectionStatus { corrected, failed, cancelled };
 
+// What would do instead, where a window failed: tried, not guessed.
+struct Suggestion {
+  enum class Kind { wider_window, wider_intervals, another_limb } kind = Kind::wider_window;
+  bool works = false;
+  Interval window;           // seconds, that it was tried in
+  std::string limb;          // that it was tried with
+  std::string text() const;  // for people
+};
+const char* suggestion_id(Suggestion::Kind kind);
+
 // What one window came to; the fields of a report's `corrections`.
 struct WindowReport {
   CorrectionStatus status = CorrectionStatus::failed;
   int limb = -1;
-  double begin = 0, end = 0;  // seconds, float32 values
-  std::uint64_t seed = 0;     // of the attempt that was taken
-  bool certified = false;     // true only with a proof for all times of the window
-                              // (certificate.h says what of)
-  std::string not_certified;  // why not: pair, time and reason
+  double begin = 0, end = 0;               // seconds, float32 values
+  std::uint64_t seed = 0;                  // of the attempt that was taken
+  bool certified = false;                  // true only with a proof for all times of the window
+                                           // (certificate.h says what of)
+  std::string not_certified;               // why not: pair, time and reason
   std::vector<std::string> depth_sampled;  // pairs that may touch as deep as in the clip and come
                                            // near: their depth is known at the samples only
-  double min_clearance = 0;   // scene units, over the verified samples
+  double min_clearance = 0;                // scene units, over the verified samples
   double plan_ms = 0, smooth_ms = 0, verify_ms = 0, certify_ms = 0, total_ms = 0;
   long validity_checks = 0, edge_checks = 0, iterations = 0;
   int landmarks = 0;
   double peak_speed = 0;           // rad/s, any DOF
   double peak_acceleration = 0;    // rad/s², any DOF
   double deviation_from_clip = 0;  // rad, the largest angle of any limb joint from the clip
+  double cost = 0;                 // motion_cost.h; what ways around are ranked by
   std::string blocked_by;          // what stood in the way, when it failed: pair and time
   std::string reason;              // for people, when it failed
   std::vector<std::string> limits_widened;  // DOF names
   // What each attempt looked at and came to, in order, for people.
   std::vector<std::string> attempts;
+  std::vector<Suggestion> suggestions;  // when it failed
 };
 
 struct CorrectionOutcome {
-  std::vector<WindowReport> windows;    // in the order they were worked on
+  std::vector<WindowReport> windows;  // in the order they were worked on
+  // Of each window, other ways around (WindowPlan::alternatives): as many as were asked for and
+  // found.
+  struct OtherWay {
+    std::size_t window = 0;  // index in `windows`
+    WindowReport report;
+    Correction correction;
+  };
+  std::vector<OtherWay> other_ways;
   std::vector<Correction> corrections;  // those that succeeded
   std::shared_ptr<const Clip> clip;     // the source with the corrections laid over it
   std::vector<ContactInterval> before;  // the limbs' contacts in the source clip, not allowed ones
@@ -73,6 +94,10 @@ struct ProposedWindow {
 std::vector<ProposedWindow> propose_windows(SceneCollision& scene, int limb,
                                             const std::vector<ContactInterval>& contacts,
                                             double clearance);
+// The same window with that much more time on each side, as far as the clip goes and with free
+// ends; none if it grows on neither side.
+std::optional<Interval> widened_window(SceneCollision& scene, int limb, const Interval& window,
+                                       double by, double clearance);
 
 // Does the task on the world that `scene` holds: limbs is the list of limb indices to correct in
 // this order (each later one in sync with the earlier ones' new motion [SKF07 7]). The scene plays

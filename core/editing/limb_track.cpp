@@ -7,7 +7,8 @@
 namespace elbowroom {
 namespace {
 
-constexpr double kSampleRate = 240;         // Hz, dense enough that no DOF turns by pi between two
+constexpr double kSampleRate = 240;  // Hz, dense enough that no DOF turns by pi between two
+constexpr double kAccelerationStep = 1.0 / 30;  // s
 constexpr double kDifferenceStep = 1.0e-4;  // s, well inside a key interval, well above rounding
 
 }  // namespace
@@ -52,6 +53,17 @@ Dofs LimbTrack::rate(double t, int side) const {
   Dofs rate = here.q;
   for (int d = 0; d < rate.count; ++d) rate[d] = (there.q[d] - here.q[d]) / h;
   return rate;
+}
+
+Dofs LimbTrack::acceleration(double t) const {
+  const LimbState here = at(t);
+  const double h = std::min({kAccelerationStep, std::max(kDifferenceStep, t - clip_->begin),
+                             std::max(kDifferenceStep, clip_->end - t)});
+  const LimbState before = sample(t - h, &here), after = sample(t + h, &here);
+  Dofs acceleration = here.q;
+  for (int d = 0; d < acceleration.count; ++d)
+    acceleration[d] = (before.q[d] - 2 * here.q[d] + after.q[d]) / (h * h);
+  return acceleration;
 }
 
 }  // namespace elbowroom

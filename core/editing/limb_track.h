@@ -23,6 +23,10 @@ class LimbTrack {
   // One-sided time derivative of the parameters, rad/s: side < 0 from before t, > 0 from after it.
   Dofs rate(double t, int side) const;
 
+  // Second time derivative, rad/s², as far as an eye sees it: over two thirtieths of a second, for
+  // the keys of a clip are corners of a curve that has none. t well inside the clip.
+  Dofs acceleration(double t) const;
+
   // Largest |dq/dt| of each DOF over the window, rad/s.
   const Dofs& peak_speed() const { return peak_speed_; }
 

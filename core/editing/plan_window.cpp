@@ -3,468 +3,281 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 
-#include "core/base/random.h"
-#include "core/collision/certificate.h"
-#include "core/collision/limb_planning_space.h"
-#include "core/editing/limb_keys.h"
-#include "core/editing/limb_track.h"
-#include "core/editing/skin_planning_space.h"
-#include "core/planning/curve_fit.h"
-#include "core/planning/planner.h"
-#include "core/planning/smoothing.h"
+#include "core/editing/motion_cost.h"
+#include "core/editing/verify_window.h"
 
 namespace elbowroom {
 namespace {
 
-constexpr double kVerifyRate = 240;        // Hz (DESIGN.md, "Results must meet")
-constexpr std::size_t kVerifyStride = 32;  // samples between two words of progress
-constexpr int kRandomTimes = 1000;
-constexpr std::uint64_t kPartSeed = 15485863;
-constexpr double kLeastKeyRate = 60;     // Hz
-constexpr int kSeedsWithAPath = 2;       // for an attempt whose first path did not hold
-constexpr int kTriesForAProof = 3;       // after a motion that is verified but not proven
-constexpr double kClearanceReach = 0.1;  // × height: farther obstacles are not measured
+constexpr int kWays = 4;              // motions planned in one view, at least, for each asked for
+constexpr int kWaysOnSkin = 2;        // where one costs a hundred times more
+constexpr int kHopeless = 2;          // seeds without a path, after which a view is given up
+constexpr double kGoodEnough = 0.02;  // a cost at which no more ways are looked for
+constexpr int kVerifiedInAView = 3;   // at most, for each asked for
+constexpr int kTriesForAProof = 3;    // after a motion that is verified but not proven
+constexpr std::uint64_t kViewSeed = 1000003, kWaySeed = 7919;
 
 using Clock = std::chrono::steady_clock;
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
-// One way of looking at the world while planning.
-struct Attempt {
-  bool on_skin = false;
-  double clearance = 0;       // scene units
-  double body_clearance = 0;  // from the character itself; on the skin the smaller of the two holds
-  double margin = 0;
-  double near_share = 0;  // of samples near the clip's own motion
-};
-
-// The curves between a window's postures; one where there are none between.
-struct Motion {
-  std::vector<Curve> curves;
-  std::vector<double> until;  // end of each, seconds
-
-  const Curve& at(double t) const {
-    std::size_t i = 0;
-    while (i + 1 < curves.size() && t > until[i]) ++i;
-    return curves[i];
-  }
-};
-
-// One verified candidate.
-struct Candidate {
-  Correction correction;
-  std::shared_ptr<const Clip> clip;
-  WindowReport report;
-  double cost = 0;
-  bool planned = false;  // a path was found, whatever became of it
-};
-
-std::string at_time(double t) {
-  char text[32];
-  std::snprintf(text, sizeof text, " at %.3f s", t);
-  return text;
-}
-
-// The first contact over the verification times, or an empty string. Lowers min_clearance.
-std::string verify(WindowProblem& p, const std::shared_ptr<const Clip>& clip,
-                   const std::vector<float>& keys, std::uint64_t seed, const std::stop_token& stop,
-                   const ProgressSink& progress, double& min_clearance) {
-  SceneCollision& scene = *p.scene;
-  scene.set_clip(clip);
-  const double touching = scene.settings().epsilon * scene.height();
-  std::vector<double> steps;
-  for (const auto& actor : scene.world().actors)
-    if (actor.clip)
-      for (const double t : step_times(*actor.clip)) steps.push_back(t);
-  // Every key of the clip, of whatever joint: where the body turns a corner.
-  std::vector<float> all_keys = keys;
-  for (const Channel& channel : clip->channels)
-    for (const float t : channel.times)
-      if (t > p.begin && t < p.end) all_keys.push_back(t);
-  const auto times = verification_times(p.begin, p.end, all_keys, steps, seed);
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    const double t = times[i];
-    if (stop.stop_requested()) return "cancelled";
-    if (progress && i % kVerifyStride == 0)
-      progress({"checking the skin", static_cast<double>(i) / static_cast<double>(times.size())});
-    if (scene.limb_in_contact(t, p.limb_index, touching)) {
-      std::vector<ContactSample> contacts;
-      scene.contacts_at(t, p.limb_index, false, contacts);
-      return contacts.empty()
-                 ? "contact" + at_time(t)
-                 : contacts.front().part_a + " with " + contacts.front().part_b + at_time(t);
-    }
-  }
-  const int samples = std::max(1, static_cast<int>((p.end - p.begin) * 120));
-  for (int i = 0; i <= samples; ++i) {
-    if (stop.stop_requested()) return "cancelled";
-    const double t = p.begin + (p.end - p.begin) * i / samples;
-    min_clearance = std::min(min_clearance, scene.limb_clearance(t, p.limb_index, min_clearance));
-  }
-  return {};
-}
-
-// A proof for all times of the window, of the keys that were just verified.
-void certify(WindowProblem& p, const std::stop_token& stop, const ProgressSink& progress,
-             WindowReport& report) {
-  if (progress) progress({"proving the motion", -1});
-  const auto start = Clock::now();
-  Certificate certificate = certify_limb(*p.scene, p.limb_index, p.begin, p.end, {}, stop);
-  report.certified = certificate.holds;
-  report.depth_sampled = std::move(certificate.depth_sampled);
-  report.not_certified.clear();
-  if (!certificate.holds)
-    report.not_certified =
-        (certificate.part_a.empty() ? std::string("the motion")
-                                    : certificate.part_a + " with " + certificate.part_b) +
-        at_time(certificate.time) + ": " + certificate.reason;
-  report.certify_ms += ms_since(start);
-}
-
-// How much an animator has to like it: mean squared distance from the clip's parameters (rad²), the
-// acceleration beyond the clip's own, and nearness to what it avoids.
-double motion_cost(const WindowProblem& p, const Motion& motion, double min_clearance) {
-  double deviation = 0, acceleration = 0;
-  const int samples = 120;
-  for (int i = 0; i <= samples; ++i) {
-    const double t = p.begin + (p.end - p.begin) * i / samples;
-    const Curve& curve = motion.at(t);
-    const Dofs q = curve.value(t), a = curve.second(t), r = p.track->at(t).q;
-    for (int d = 0; d < q.count; ++d) {
-      deviation += (q[d] - r[d]) * (q[d] - r[d]);
-      acceleration += a[d] * a[d];
-    }
-  }
-  const double wanted = p.scene->settings().clearance * p.scene->height();
-  const double near = std::max(0.0, 1.0 - min_clearance / std::max(wanted, 1e-12));
-  return deviation / samples + 1e-5 * acceleration / samples + near;
-}
-
-void measure_motion(const WindowProblem& p, const Motion& motion, WindowReport& report) {
-  const int samples = std::max(8, static_cast<int>((p.end - p.begin) * kVerifyRate));
-  for (int i = 0; i <= samples; ++i) {
-    const double u = static_cast<double>(i) / samples;
-    const double t = p.begin + (p.end - p.begin) * u;
-    const Curve& curve = motion.at(t);
-    const Dofs q = curve.value(t), v = curve.derivative(t), a = curve.second(t);
-    const LimbState clip = p.track->at(t);
-    const auto residual = residual_between(p.postures.front().state, p.postures.back().state, u);
-    for (int d = 0; d < q.count; ++d) {
-      report.peak_speed = std::max(report.peak_speed, std::abs(v[d]));
-      report.peak_acceleration = std::max(report.peak_acceleration, std::abs(a[d]));
-    }
-    for (std::size_t j = 0; j < p.limb->joints.size(); ++j) {
-      const JointModel& joint = p.limb->joints[j];
-      const auto first = static_cast<std::size_t>(joint.first_dof);
-      report.deviation_from_clip =
-          std::max(report.deviation_from_clip,
-                   angle_between(local_rotation(joint, &q.value[first], residual[j]),
-                                 local_rotation(joint, &clip.q.value[first], clip.residual[j])));
-    }
-  }
-}
-
-// A path and its curve from one posture to the next; nothing, with report.reason and blocked_by, if
-// there is none.
-std::optional<Curve> plan_part(WindowProblem& p, const PostureAt& from, const PostureAt& to,
-                               const Attempt& attempt, const PlanningWishes& wishes,
-                               std::uint64_t seed, const std::stop_token& stop,
-                               const ProgressSink& progress, WindowReport& report, bool& path_found,
-                               int& landmarks) {
-  std::unique_ptr<LimbPlanningSpace> rigid;
-  std::unique_ptr<SkinPlanningSpace> skin;
-  StateSpace* world = nullptr;
-  if (attempt.on_skin) {
-    skin = std::make_unique<SkinPlanningSpace>(*p.scene, p.limb_index, from.time, to.time,
-                                               from.state, to.state, attempt.clearance);
-    world = skin.get();
-  } else {
-    LimbPlanningSpace::Settings settings;
-    settings.clearance = attempt.clearance;
-    settings.margin = attempt.margin;
-    settings.body_clearance = attempt.body_clearance;
-    rigid = std::make_unique<LimbPlanningSpace>(*p.scene, p.limb_index, from.time, to.time,
-                                                from.state, to.state, settings);
-    world = rigid.get();
-  }
-  auto blocked = [&] {
-    if (!rigid) return;
-    const auto pair = rigid->most_blocking();
-    if (!pair.first.empty()) report.blocked_by = pair.first + " with " + pair.second;
-  };
-
-  PlannerSettings planner;
-  planner.seed = seed;
-  planner.max_iterations =
-      attempt.on_skin ? std::max(1, wishes.max_iterations / 10) : wishes.max_iterations;
-  if (wishes.max_seconds > 0) planner.max_seconds = wishes.max_seconds;
-  PlannerQuery query;
-  query.space = &p.space;
-  query.init = {from.state.q, from.time};
-  query.goal = {to.state.q, to.time};
-  query.length_unit = p.length_unit;
-  query.reference = [&p](double t) { return p.reference_at(t); };
-  planner.sampling.near_share = attempt.near_share;
-  planner.sampling.max_tries = 16;
-  const auto planned = plan(*world, query, planner, stop, progress);
-  report.plan_ms += planned.milliseconds;
-  report.iterations += planned.stats.iterations;
-  report.validity_checks += planned.stats.checks.validity_checks;
-  report.edge_checks += planned.stats.checks.edge_checks;
-  if (planned.status != PlannerStatus::solved) {
-    if (planned.status == PlannerStatus::cancelled) report.status = CorrectionStatus::cancelled;
-    report.reason = planned.reason;
-    blocked();
-    return std::nullopt;
-  }
-
-  path_found = true;
-  const auto smooth_start = Clock::now();
-  SmoothingSettings smoothing;
-  smoothing.seed = seed;
-  const auto smoothed = smooth_path(*world, planned.path, smoothing, stop, progress);
-  CurveQuery curve_query;
-  curve_query.space = &p.space;
-  curve_query.path = smoothed.path;
-  curve_query.velocity_init = from.velocity;
-  curve_query.velocity_goal = to.velocity;
-  curve_query.reference = [&p](double t) { return p.reference_at(t); };
-  CurveSettings curve_settings;
-  curve_settings.seed = seed;
-  if (attempt.on_skin) curve_settings.max_trials = 120;
-  const auto fitted = fit_curve(*world, curve_query, curve_settings, stop, progress);
-  report.smooth_ms += ms_since(smooth_start);
-  report.validity_checks += smoothed.checks.validity_checks + fitted.checks.validity_checks;
-  report.edge_checks += smoothed.checks.edge_checks + fitted.checks.edge_checks;
-  landmarks = static_cast<int>(smoothed.path.size());
-  if (fitted.status != CurveStatus::solved) {
-    if (stop.stop_requested()) report.status = CorrectionStatus::cancelled;
-    report.reason = fitted.reason;
-    blocked();
-    return std::nullopt;
-  }
-  return fitted.curve;
-}
-
-// One attempt with one seed. Returns true with a verified candidate; otherwise report.reason and
-// blocked_by say why not.
-bool plan_and_verify(WindowProblem& p, const Attempt& attempt, const PlanningWishes& wishes,
-                     std::uint64_t seed, const std::stop_token& stop, const ProgressSink& progress,
-                     Candidate& candidate) {
-  WindowReport& report = candidate.report;
-  report.seed = seed;
-  p.scene->set_clip(p.clip);
+// A motion that was planned, with what is known of it.
+struct Way {
   Motion motion;
+  MotionCost cost;
+  std::uint64_t seed = 0;
   int landmarks = 0;
-  for (std::size_t i = 0; i + 1 < p.postures.size(); ++i) {
-    int part_landmarks = 0;
-    const auto curve =
-        plan_part(p, p.postures[i], p.postures[i + 1], attempt, wishes, seed + kPartSeed * i, stop,
-                  progress, report, candidate.planned, part_landmarks);
-    if (part_landmarks > 0) report.landmarks = landmarks += part_landmarks;
-    if (!curve) return false;
-    motion.until.push_back(p.postures[i + 1].time);
-    motion.curves.push_back(*curve);
+};
+
+// A motion that was verified.
+struct Held {
+  WindowReport report;
+  Correction correction;
+  Motion motion;
+  double cost = 0;
+};
+
+class WindowPlanner {
+ public:
+  WindowPlanner(WindowProblem problem, const PlanningWishes& wishes, const std::stop_token& stop,
+                const ProgressSink& progress)
+      : p_(std::move(problem)),
+        wishes_(wishes),
+        stop_(stop),
+        progress_(progress),
+        asked_(std::max(1, wishes.alternatives)) {
+    report_.limb = p_.limb_index;
+    report_.begin = p_.begin;
+    report_.end = p_.end;
+    report_.seed = wishes.seed;
+    report_.limits_widened = p_.limits_widened;
   }
 
-  const auto verify_start = Clock::now();
-  Correction& correction = candidate.correction;
-  correction.limb = p.limb->limb.name;
-  correction.begin = static_cast<float>(p.begin);
-  correction.end = static_cast<float>(p.end);
-  correction.made_with = wishes;
-  correction.made_with.seed = seed;
-  const auto& skeleton =
-      p.scene->world().actors[static_cast<std::size_t>(p.scene->actor())].model->skeleton;
-  std::vector<double> times;
-  for (const PostureAt& posture : p.postures) times.push_back(posture.time);
-  correction.joints = make_limb_keys(
-      skeleton, *p.limb, [&](double t) { return motion.at(t).value(t); }, p.postures.front().state,
-      p.postures.back().state, times, std::max(kLeastKeyRate, key_rate(*p.clip)));
-  auto laid = lay_over(skeleton, *p.clip, {correction});
-  if (!laid) {
-    report.reason = laid.error().message();
-    return false;
+  WindowPlan run() {
+    const auto start = Clock::now();
+    p_.scene->set_clip(p_.clip);
+    if (ends_are_free()) {
+      const std::vector<PlanningView> views = views_of();
+      for (std::size_t k = 0; k < views.size() && !enough() && !stop_.stop_requested(); ++k)
+        try_view(views[k], k);
+    }
+    p_.scene->set_clip(p_.clip);
+    const double total = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    return plan(total);
   }
-  candidate.clip = std::make_shared<const Clip>(std::move(*laid));
-  report.min_clearance = kClearanceReach * p.scene->height();
-  const std::string hit = verify(p, candidate.clip, correction.joints.front().keys.times, seed,
-                                 stop, progress, report.min_clearance);
-  report.verify_ms += ms_since(verify_start);
-  if (hit.empty()) certify(p, stop, progress, report);
-  p.scene->set_clip(p.clip);
-  if (!hit.empty()) {
-    if (stop.stop_requested()) report.status = CorrectionStatus::cancelled;
-    report.reason = "the planned motion touches on the deformed skin";
-    report.blocked_by = hit;
-    return false;
+
+ private:
+  double touching() const { return p_.scene->settings().epsilon * p_.scene->height(); }
+  double wanted() const {
+    return wishes_.clearance > 0 ? wishes_.clearance
+                                 : p_.scene->settings().clearance * p_.scene->height();
   }
-  report.status = CorrectionStatus::corrected;
-  report.reason.clear();
-  report.blocked_by.clear();
-  measure_motion(p, motion, report);
-  candidate.cost = motion_cost(p, motion, report.min_clearance);
-  return true;
-}
 
-// Takes over what attempts have cost so far, and what was said of them.
-void take_costs(const WindowReport& spent, WindowReport& report) {
-  report.attempts = spent.attempts;
-  report.plan_ms = spent.plan_ms;
-  report.smooth_ms = spent.smooth_ms;
-  report.verify_ms = spent.verify_ms;
-  report.certify_ms = spent.certify_ms;
-  report.iterations = spent.iterations;
-  report.validity_checks = spent.validity_checks;
-  report.edge_checks = spent.edge_checks;
-}
+  bool ends_are_free() {
+    for (const double t : {p_.begin, p_.end}) {
+      if (!p_.scene->limb_in_contact(t, p_.limb_index, touching())) continue;
+      std::vector<ContactSample> contacts;
+      p_.scene->contacts_at(t, p_.limb_index, false, contacts);
+      report_.reason = "the limb is in contact at the window's " +
+                       std::string(t == p_.begin ? "begin" : "end") +
+                       "; choose a window whose ends are free";
+      char at[32];
+      std::snprintf(at, sizeof at, " at %.3f s", t);
+      if (!contacts.empty())
+        report_.blocked_by = contacts.front().part_a + " with " + contacts.front().part_b + at;
+      return false;
+    }
+    return true;
+  }
 
-bool try_once(WindowProblem& p, const Attempt& attempt, const PlanningWishes& wishes,
-              std::uint64_t seed, const std::stop_token& stop, const ProgressSink& progress,
-              Candidate& candidate) {
-  const bool found = plan_and_verify(p, attempt, wishes, seed, stop, progress, candidate);
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "%s, clearance %.3g, from the body %.3g, margin %.3g, %.0f %% near the clip: ",
-                attempt.on_skin ? "deformed skin" : "rigid parts", attempt.clearance,
-                attempt.body_clearance, attempt.margin, 100 * attempt.near_share);
-  WindowReport& report = candidate.report;
-  report.attempts.push_back(
-      text +
-      (found ? (report.certified ? "found and proven"
-                                 : "found and verified, not proven; " + report.not_certified)
-             : report.reason) +
-      (report.blocked_by.empty() ? "" : "; " + report.blocked_by));
-  return found;
-}
+  std::vector<PlanningView> views_of() const {
+    const double skin = 0.01 * p_.scene->height();
+    const double all = wanted(), little = 0.1 * wanted(), least = 2 * touching();
+    // Where the animator has set sampling intervals, they alone say first where to search.
+    const double near_first = wishes_.sampling.empty() ? 0.25 : 0.0;
+    return {
+        {false, all, all, 0, near_first}, {false, all, little, 0, 0.9},
+        {false, all, little, skin, 0.9},  {true, all, all, 0, 0.8},
+        {true, little, little, 0, 0.9},   {false, least, least, 0, 0.9},
+        {true, least, least, 0, 0.9},
+    };
+  }
+
+  // Another view shows no other ways; it may bring a proof.
+  bool enough() const {
+    if (held_.empty()) return false;
+    return held_.front().report.certified || tries_for_proof_ <= 0;
+  }
+
+  void try_view(const PlanningView& view, std::size_t index) {
+    std::vector<Way> ways;
+    int planned = 0, seeds = 0;
+    std::string reason;
+    {
+      PlanningWorld world(p_, view);
+      const int most = (view.on_skin ? kWaysOnSkin : kWays) * asked_;
+      for (; seeds < most && !stop_.stop_requested(); ++seeds) {
+        if (ways.empty() && seeds - planned >= kHopeless) break;
+        if (asked_ == 1 && !ways.empty() && ways.front().cost.total() < kGoodEnough) break;
+        Way way;
+        way.seed = wishes_.seed + kViewSeed * index + kWaySeed * static_cast<std::uint64_t>(seeds);
+        MotionResult result = plan_motion(p_, world, wishes_, way.seed, stop_, progress_, costs_);
+        planned += result.path_found;
+        if (result.motion.empty()) {
+          reason = result.reason;
+          continue;
+        }
+        way.motion = std::move(result.motion);
+        way.landmarks = result.landmarks;
+        way.cost = motion_cost(p_, way.motion);
+        ways.push_back(std::move(way));
+        std::stable_sort(ways.begin(), ways.end(), [](const Way& a, const Way& b) {
+          return a.cost.total() < b.cost.total();
+        });
+      }
+      report_.blocked_by = world.blocked_by();
+    }
+    std::string said = view.text() + ": ";
+    if (ways.empty()) {
+      report_.reason = reason;
+      report_.attempts.push_back(said + reason +
+                                 (report_.blocked_by.empty() ? "" : "; " + report_.blocked_by));
+      return;
+    }
+    verify_ways(
+        view, ways,
+        said + std::to_string(ways.size()) + " of " + std::to_string(seeds) + " seeds planned, ");
+  }
+
+  void verify_ways(const PlanningView& view, const std::vector<Way>& ways,
+                   const std::string& said) {
+    int verified = 0;
+    std::string found;
+    for (const Way& way : ways) {
+      if (stop_.stop_requested() || verified >= kVerifiedInAView * asked_) break;
+      if (!held_.empty() && is_known(view, way.motion)) continue;
+      ++verified;
+      WindowReport report = report_;
+      const std::string hit = verify(way, report);
+      take_costs(report);
+      if (!hit.empty()) {
+        report_.reason = "the planned motion touches on the deformed skin";
+        report_.blocked_by = hit;
+        found += (found.empty() ? "" : "; ") + report_.reason + ", " + hit;
+        continue;
+      }
+      found += (found.empty() ? "" : "; ") +
+               (held_.back().report.certified
+                    ? std::string("found and proven")
+                    : "found and verified, not proven: " + held_.back().report.not_certified);
+      if (!held_.back().report.certified) --tries_for_proof_;
+      sort_held();
+      if (static_cast<int>(held_.size()) >= asked_ && enough()) break;
+    }
+    report_.attempts.push_back(said + found);
+  }
+
+  // Another look of a way that is held already; one that is not proven may be replaced.
+  bool is_known(const PlanningView& view, const Motion& motion) {
+    if (asked_ == 1) return false;
+    PlanningWorld world(p_, view);
+    return std::any_of(held_.begin(), held_.end(), [&](const Held& held) {
+      return held.report.certified && same_way_around(world, p_, held.motion, motion);
+    });
+  }
+
+  // Empty and one more in held_, or what it touches.
+  std::string verify(const Way& way, WindowReport& report) {
+    auto keyed = key_motion(p_, way.motion);
+    if (!keyed) return keyed.error().message();
+    const std::string hit = verify_keys(p_, *keyed, way.seed, stop_, progress_, report);
+    if (!hit.empty()) return hit;
+    report.status = CorrectionStatus::corrected;
+    report.reason.clear();
+    report.blocked_by.clear();
+    report.seed = way.seed;
+    report.landmarks = way.landmarks;
+    measure_motion(p_, way.motion, report);
+    MotionCost cost = way.cost;
+    cost.nearness = nearness_cost(report.min_clearance, wanted());
+    report.cost = cost.total();
+    Held held{report, std::move(keyed->correction), way.motion, cost.total()};
+    held.correction.made_with = wishes_;
+    held.correction.made_with.seed = way.seed;
+    held_.push_back(std::move(held));
+    return {};
+  }
+
+  // Proven motions come before those that are only verified, and then the cheaper ones.
+  void sort_held() {
+    std::stable_sort(held_.begin(), held_.end(), [](const Held& a, const Held& b) {
+      return a.report.certified != b.report.certified ? a.report.certified : a.cost < b.cost;
+    });
+    if (static_cast<int>(held_.size()) > asked_) held_.resize(static_cast<std::size_t>(asked_));
+  }
+
+  // What an attempt cost is part of the whole, whether or not it is taken.
+  void take_costs(const WindowReport& spent) {
+    report_.verify_ms = spent.verify_ms;
+    report_.certify_ms = spent.certify_ms;
+  }
+
+  WindowPlan plan(double total) {
+    report_.plan_ms = costs_.plan_ms;
+    report_.smooth_ms = costs_.smooth_ms;
+    report_.validity_checks = costs_.validity_checks;
+    report_.edge_checks = costs_.edge_checks;
+    report_.iterations = costs_.iterations;
+    report_.total_ms = total;
+    WindowPlan result;
+    if (held_.empty() || stop_.stop_requested()) {
+      result.report = report_;
+      result.report.status =
+          stop_.stop_requested() ? CorrectionStatus::cancelled : CorrectionStatus::failed;
+      return result;
+    }
+    for (Held& held : held_) {
+      WindowReport& report = held.report;
+      report.attempts = report_.attempts;
+      report.plan_ms = report_.plan_ms;
+      report.smooth_ms = report_.smooth_ms;
+      report.verify_ms = report_.verify_ms;
+      report.certify_ms = report_.certify_ms;
+      report.total_ms = total;
+      report.validity_checks = report_.validity_checks;
+      report.edge_checks = report_.edge_checks;
+      report.iterations = report_.iterations;
+    }
+    result.report = held_.front().report;
+    result.correction = std::move(held_.front().correction);
+    for (std::size_t i = 1; i < held_.size(); ++i)
+      result.alternatives.push_back({std::move(held_[i].report), std::move(held_[i].correction)});
+    return result;
+  }
+
+  WindowProblem p_;
+  const PlanningWishes& wishes_;
+  const std::stop_token& stop_;
+  const ProgressSink& progress_;
+  int asked_ = 1;
+  WindowReport report_;
+  PlanningCosts costs_;
+  std::vector<Held> held_;
+  int tries_for_proof_ = kTriesForAProof;
+};
 
 }  // namespace
-
-std::vector<double> verification_times(double begin, double end, const std::vector<float>& keys,
-                                       const std::vector<double>& steps, std::uint64_t seed) {
-  std::vector<double> times;
-  const int samples = static_cast<int>(std::ceil((end - begin) * kVerifyRate));
-  for (int i = 0; i <= samples; ++i) times.push_back(std::min(end, begin + i / kVerifyRate));
-  times.push_back(end);
-  for (const float key : keys) times.push_back(static_cast<double>(key));
-  Random random(seed ^ 0x76657269667921ull);
-  for (int i = 0; i < kRandomTimes; ++i) times.push_back(random.uniform(begin, end));
-  for (const double step : steps)
-    for (const double side :
-         {std::nextafter(static_cast<float>(step), -1.0e30f), static_cast<float>(step)})
-      if (side >= begin && side <= end) times.push_back(side);
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  return times;
-}
 
 WindowPlan plan_window(SceneCollision& scene, const std::shared_ptr<const Clip>& clip, int limb,
                        double begin, double end, const PlanningWishes& wishes,
                        const std::stop_token& stop, const ProgressSink& progress) {
+  scene.set_clip(clip);
   return plan_window(window_problem(scene, clip, limb, begin, end, wishes), wishes, stop, progress);
 }
 
 WindowPlan plan_window(WindowProblem p, const PlanningWishes& wishes, const std::stop_token& stop,
                        const ProgressSink& progress) {
-  const auto start = Clock::now();
-  SceneCollision& scene = *p.scene;
-  const std::shared_ptr<const Clip> clip = p.clip;
-  const int limb = p.limb_index;
-  const double begin = p.begin, end = p.end;
-  WindowPlan result;
-  WindowReport& report = result.report;
-  report.limb = limb;
-  report.begin = begin;
-  report.end = end;
-  report.seed = wishes.seed;
-  report.limits_widened = p.limits_widened;
-
-  const double touching = scene.settings().epsilon * scene.height();
-  const double wanted =
-      wishes.clearance > 0 ? wishes.clearance : scene.settings().clearance * scene.height();
-  scene.set_clip(clip);
-  for (const double t : {begin, end}) {
-    if (!scene.limb_in_contact(t, limb, touching)) continue;
-    std::vector<ContactSample> contacts;
-    scene.contacts_at(t, limb, false, contacts);
-    report.reason = "the limb is in contact at the window's " +
-                    std::string(t == begin ? "begin" : "end") +
-                    "; choose a window whose ends are free";
-    if (!contacts.empty())
-      report.blocked_by = contacts.front().part_a + " with " + contacts.front().part_b + at_time(t);
-    report.total_ms = ms_since(start);
-    return result;
-  }
-
-  const double skin = 0.01 * scene.height();
-  const double little = 0.1 * wanted;
-  // Where the animator has set sampling intervals, they alone say first where to search.
-  const double near_first = wishes.sampling.empty() ? 0.25 : 0.0;
-  const std::vector<Attempt> attempts = {
-      {false, wanted, wanted, 0, near_first},
-      {false, wanted, little, 0, 0.9},
-      {false, wanted, little, skin, 0.9},
-      {true, wanted, wanted, 0, 0.8},
-      {true, little, little, 0, 0.9},
-      {false, 2 * touching, 2 * touching, 0, 0.9},
-      {true, 2 * touching, 2 * touching, 0, 0.9},
-  };
-  std::optional<Candidate> best;
-  Candidate failed;  // gathers the counts and the last reason
-  failed.report = report;
-  // Proven motions come before those that are only verified, and then the cheaper ones.
-  const auto better = [](const Candidate& a, const Candidate& b) {
-    return a.report.certified != b.report.certified ? a.report.certified : a.cost < b.cost;
-  };
-  const int asked = std::max(1, wishes.alternatives);
-  int tries_for_proof = kTriesForAProof;
-  std::size_t best_attempt = 0;
-  const auto enough = [&] { return best && (best->report.certified || tries_for_proof <= 0); };
-  for (std::size_t k = 0; k < attempts.size() && !enough(); ++k) {
-    // A path whose curve or keys did not hold is worth another one.
-    int tries = asked;
-    for (int alternative = 0; alternative < tries; ++alternative) {
-      if (stop.stop_requested()) break;
-      if (best && (k != best_attempt || alternative >= asked)) {
-        if (enough()) break;
-        --tries_for_proof;
-      }
-      Candidate candidate;
-      candidate.report = failed.report;
-      const std::uint64_t seed =
-          wishes.seed + 1000003ull * k + 7919ull * static_cast<std::uint64_t>(alternative);
-      if (try_once(p, attempts[k], wishes, seed, stop, progress, candidate)) {
-        if (!best) best_attempt = k;
-        if (!best || better(candidate, *best)) best = candidate;
-        if (!best->report.certified) tries = std::max(tries, kSeedsWithAPath);
-      } else if (candidate.planned && !best && alternative == 0) {
-        tries = std::max(tries, kSeedsWithAPath);
-      }
-      // What an attempt cost is part of the whole, whether or not it is taken.
-      const WindowReport& spent = candidate.report;
-      take_costs(spent, failed.report);
-      if (spent.status != CorrectionStatus::corrected) {
-        failed.report.reason = spent.reason;
-        failed.report.blocked_by = spent.blocked_by;
-      }
-    }
-    if (stop.stop_requested()) break;
-  }
-  scene.set_clip(clip);
-  if (best && !stop.stop_requested()) {
-    report = best->report;
-    take_costs(failed.report, report);
-    result.correction = std::move(best->correction);
-  } else {
-    report = failed.report;
-    report.status = stop.stop_requested() ? CorrectionStatus::cancelled : CorrectionStatus::failed;
-  }
-  report.total_ms = ms_since(start);
-  return result;
+  return WindowPlanner(std::move(p), wishes, stop, progress).run();
 }
 
 }  // namespace elbowroom

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 // One window of one limb, from the question to verified keys.
 //
-// Attempts, in this order, until one holds: the limb's rigid parts with the clearance asked for;
-// the same with a margin for what the skin does beyond them; the deformed skin itself; the deformed
-// skin with less and less clearance. Each runs Algorithm 1, smoothing, the curve, then makes keys
-// and verifies them on the deformed skin [SKF07 4.1, 6.1].
+// The world is seen in several ways, in this order, until something holds: the limb's rigid parts
+// with the clearance asked for; the same with less room from its own body, and with a margin for
+// what the skin does beyond them; the deformed skin itself; at last with hardly any clearance. In
+// each, several motions are planned from different seeds (Algorithm 1, smoothing, the curve), those
+// that are the same way around are told apart from those that are not, and they are made keys and
+// verified on the deformed skin in the order of what they cost (motion_cost.h) [SKF07 4.1, 6.1].
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/editing/correct.h"
 #include "core/editing/window_problem.h"
@@ -17,6 +20,14 @@ namespace elbowroom {
 struct WindowPlan {
   WindowReport report;
   std::optional<Correction> correction;  // set if and only if report.status is corrected
+
+  // Other ways around, as far as they were asked for and found: verified as well, by ascending
+  // cost.
+  struct Alternative {
+    WindowReport report;
+    Correction correction;
+  };
+  std::vector<Alternative> alternatives;
 };
 
 // `scene` plays `clip` when called and when it returns. The window's ends are float32 values within
@@ -30,10 +41,5 @@ WindowPlan plan_window(SceneCollision& scene, const std::shared_ptr<const Clip>&
 // to know.
 WindowPlan plan_window(WindowProblem problem, const PlanningWishes& wishes,
                        const std::stop_token& stop, const ProgressSink& progress);
-
-// The times at which a motion over [begin, end] is looked at: 240 Hz, the keys given, 1,000 random
-// ones, both sides of steps; ascending, unique.
-std::vector<double> verification_times(double begin, double end, const std::vector<float>& keys,
-                                       const std::vector<double>& steps, std::uint64_t seed);
 
 }  // namespace elbowroom

@@ -75,4 +75,21 @@ std::vector<ProposedWindow> propose_windows(SceneCollision& scene, int limb,
   return windows;
 }
 
+std::optional<Interval> widened_window(SceneCollision& scene, int limb, const Interval& window,
+                                       double by, double clearance) {
+  const auto& clip = scene.world().actors[static_cast<std::size_t>(scene.actor())].clip;
+  if (!clip) return std::nullopt;
+  Interval wide = window;
+  double found = 0;
+  const double from = std::max(clip->begin, window.lower - by);
+  const double to = std::min(clip->end, window.upper + by);
+  if (find_free_end(scene, limb, from, -kSearchStep, clip->begin, clearance, found))
+    wide.lower = std::min(wide.lower, found);
+  if (find_free_end(scene, limb, to, kSearchStep, clip->end, clearance, found))
+    wide.upper = std::max(wide.upper, found);
+  const double grown = (window.lower - wide.lower) + (wide.upper - window.upper);
+  if (grown < 0.25 * by) return std::nullopt;
+  return wide;
+}
+
 }  // namespace elbowroom

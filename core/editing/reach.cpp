@@ -196,6 +196,8 @@ class Reach {
       held.time = t_b_;
       held.state = posture_.state;
       held.velocity = holding_velocity(problem_, goal_, t_b_, posture_);
+      // The two parts meet in it without a jerk.
+      held.acceleration.emplace().count = held.velocity.count;
       WindowProblem problem = problem_;
       problem.postures.insert(problem.postures.begin() + 1, held);
       WindowPlan plan = plan_window(std::move(problem), task_.wishes, stop_, progress_);

@@ -84,8 +84,11 @@ WindowProblem window_problem(SceneCollision& scene, const std::shared_ptr<const 
   p.track = std::make_shared<const LimbTrack>(model, *clip, *p.limb, begin, end);
   // Where the clip begins or ends with the window there is no motion outside to meet: its own, seen
   // from inside, is met instead.
-  p.postures = {{begin, p.track->at(begin), p.track->rate(begin, begin <= clip->begin ? 1 : -1)},
-                {end, p.track->at(end), p.track->rate(end, end >= clip->end ? -1 : 1)}};
+  const bool first = begin <= clip->begin, last = end >= clip->end;
+  p.postures = {{begin, p.track->at(begin), p.track->rate(begin, first ? 1 : -1), {}},
+                {end, p.track->at(end), p.track->rate(end, last ? -1 : 1), {}}};
+  if (!first) p.postures.front().acceleration = p.track->acceleration(begin);
+  if (!last) p.postures.back().acceleration = p.track->acceleration(end);
   p.space = p.limb->space;
   for (Dof& dof : p.space.dofs) {
     const auto wish = wishes.sampling.find(dof.name);

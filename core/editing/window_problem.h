@@ -16,11 +16,12 @@
 
 namespace elbowroom {
 
-// A posture the motion meets, with its velocity (rad/s).
+// A posture the motion meets, with its velocity (rad/s) and, if it has one to meet, acceleration.
 struct PostureAt {
   double time = 0;  // float32 value
   LimbState state;
   Dofs velocity;
+  std::optional<Dofs> acceleration{};  // rad/s²
 };
 
 struct WindowProblem {

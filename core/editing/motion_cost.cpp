@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "core/editing/motion_cost.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace elbowroom {
+namespace {
+
+constexpr int kSamples = 120;
+constexpr double kEffortTime = 0.1;         // s
+constexpr double kAccelerationTime = 0.06;  // s
+constexpr double kMinimumJerkRatio = 3.08;
+constexpr double kQuickMovement = 0.4;  // s
+
+}  // namespace
+
+MotionCost motion_cost(const WindowProblem& p, const Motion& motion) {
+  MotionCost cost;
+  const double span = (p.end - p.begin) / kSamples;
+  Dofs last, last_reference;
+  double hurry = 0;
+  for (int i = 0; i <= kSamples; ++i) {
+    const double t = p.begin + span * i;
+    const Curve& curve = motion.at(t);
+    const Dofs q = curve.value(t), a = curve.second(t), r = p.reference_at(t);
+    for (int d = 0; d < q.count; ++d) {
+      cost.deviation += (q[d] - r[d]) * (q[d] - r[d]);
+      cost.acceleration += a[d] * a[d];
+      hurry = std::max(
+          hurry,
+          std::abs(a[d]) / natural_acceleration(p.space.dofs[static_cast<std::size_t>(d)]) - 1);
+      if (i == 0) continue;
+      const double speed = (q[d] - last[d] - (r[d] - last_reference[d])) / span;
+      cost.effort += speed * speed;
+    }
+    last = q;
+    last_reference = r;
+  }
+  cost.deviation /= kSamples;
+  cost.effort *= kEffortTime * kEffortTime / kSamples;
+  cost.acceleration *= std::pow(kAccelerationTime, 4) / kSamples;
+  cost.hurry = hurry * hurry;
+  return cost;
+}
+
+double nearness_cost(double clearance, double wanted) {
+  if (!(wanted > 0)) return 0;
+  const double missing = std::clamp(1 - clearance / wanted, 0.0, 1.0);
+  return 0.1 * missing * missing;
+}
+
+double natural_acceleration(const Dof& dof) {
+  return kMinimumJerkRatio / kQuickMovement * dof.speed_limit;
+}
+
+}  // namespace elbowroom

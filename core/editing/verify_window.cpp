@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "core/editing/verify_window.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/random.h"
+#include "core/collision/certificate.h"
+#include "core/editing/limb_keys.h"
+
+namespace elbowroom {
+namespace {
+
+constexpr double kVerifyRate = 240;        // Hz (DESIGN.md, "Results must meet")
+constexpr std::size_t kVerifyStride = 32;  // samples between two words of progress
+constexpr int kRandomTimes = 1000;
+constexpr double kLeastKeyRate = 60;     // Hz
+constexpr double kClearanceReach = 0.1;  // × height: farther obstacles are not measured
+
+using Clock = std::chrono::steady_clock;
+double ms_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+std::string at_time(double t) {
+  char text[32];
+  std::snprintf(text, sizeof text, " at %.3f s", t);
+  return text;
+}
+
+// The first contact over the verification times of what the scene plays, or an empty string.
+std::string look(WindowProblem& p, const std::vector<float>& keys, std::uint64_t seed,
+                 const std::stop_token& stop, const ProgressSink& progress, double& min_clearance) {
+  SceneCollision& scene = *p.scene;
+  const Clip& clip = *scene.world().actors[static_cast<std::size_t>(scene.actor())].clip;
+  const double touching = scene.settings().epsilon * scene.height();
+  std::vector<double> steps;
+  for (const auto& actor : scene.world().actors)
+    if (actor.clip)
+      for (const double t : step_times(*actor.clip)) steps.push_back(t);
+  // Every key of the clip, of whatever joint: where the body turns a corner.
+  std::vector<float> all_keys = keys;
+  for (const Channel& channel : clip.channels)
+    for (const float t : channel.times)
+      if (t > p.begin && t < p.end) all_keys.push_back(t);
+  const auto times = verification_times(p.begin, p.end, all_keys, steps, seed);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double t = times[i];
+    if (stop.stop_requested()) return "cancelled";
+    if (progress && i % kVerifyStride == 0)
+      progress({"checking the skin", static_cast<double>(i) / static_cast<double>(times.size())});
+    if (!scene.limb_in_contact(t, p.limb_index, touching)) continue;
+    std::vector<ContactSample> contacts;
+    scene.contacts_at(t, p.limb_index, false, contacts);
+    return contacts.empty()
+               ? "contact" + at_time(t)
+               : contacts.front().part_a + " with " + contacts.front().part_b + at_time(t);
+  }
+  const int samples = std::max(1, static_cast<int>((p.end - p.begin) * 120));
+  for (int i = 0; i <= samples; ++i) {
+    if (stop.stop_requested()) return "cancelled";
+    const double t = p.begin + (p.end - p.begin) * i / samples;
+    min_clearance = std::min(min_clearance, scene.limb_clearance(t, p.limb_index, min_clearance));
+  }
+  return {};
+}
+
+// A proof for all times of the window, of the keys that the scene plays.
+void certify(WindowProblem& p, const std::stop_token& stop, const ProgressSink& progress,
+             WindowReport& report) {
+  if (progress) progress({"proving the motion", -1});
+  const auto start = Clock::now();
+  Certificate certificate = certify_limb(*p.scene, p.limb_index, p.begin, p.end, {}, stop);
+  report.certified = certificate.holds;
+  report.depth_sampled = std::move(certificate.depth_sampled);
+  report.not_certified.clear();
+  if (!certificate.holds)
+    report.not_certified =
+        (certificate.part_a.empty() ? std::string("the motion")
+                                    : certificate.part_a + " with " + certificate.part_b) +
+        at_time(certificate.time) + ": " + certificate.reason;
+  report.certify_ms += ms_since(start);
+}
+
+}  // namespace
+
+Result<KeyedMotion> key_motion(const WindowProblem& p, const Motion& motion) {
+  KeyedMotion keyed;
+  keyed.correction.limb = p.limb->limb.name;
+  keyed.correction.begin = static_cast<float>(p.begin);
+  keyed.correction.end = static_cast<float>(p.end);
+  const auto& skeleton =
+      p.scene->world().actors[static_cast<std::size_t>(p.scene->actor())].model->skeleton;
+  std::vector<double> times;
+  for (const PostureAt& posture : p.postures) times.push_back(posture.time);
+  keyed.correction.joints = make_limb_keys(
+      skeleton, *p.limb, [&](double t) { return motion.at(t).value(t); }, p.postures.front().state,
+      p.postures.back().state, times, std::max(kLeastKeyRate, key_rate(*p.clip)));
+  auto laid = lay_over(skeleton, *p.clip, {keyed.correction});
+  if (!laid) return laid.error();
+  keyed.clip = std::make_shared<const Clip>(std::move(*laid));
+  return keyed;
+}
+
+std::string verify_keys(WindowProblem& p, const KeyedMotion& keyed, std::uint64_t seed,
+                        const std::stop_token& stop, const ProgressSink& progress,
+                        WindowReport& report) {
+  const auto start = Clock::now();
+  p.scene->set_clip(keyed.clip);
+  report.min_clearance = kClearanceReach * p.scene->height();
+  const std::string hit = look(p, keyed.correction.joints.front().keys.times, seed, stop, progress,
+                               report.min_clearance);
+  report.verify_ms += ms_since(start);
+  if (hit.empty()) certify(p, stop, progress, report);
+  p.scene->set_clip(p.clip);
+  return stop.stop_requested() ? "cancelled" : hit;
+}
+
+std::vector<double> verification_times(double begin, double end, const std::vector<float>& keys,
+                                       const std::vector<double>& steps, std::uint64_t seed) {
+  std::vector<double> times;
+  const int samples = static_cast<int>(std::ceil((end - begin) * kVerifyRate));
+  for (int i = 0; i <= samples; ++i) times.push_back(std::min(end, begin + i / kVerifyRate));
+  times.push_back(end);
+  for (const float key : keys) times.push_back(static_cast<double>(key));
+  Random random(seed ^ 0x76657269667921ull);
+  for (int i = 0; i < kRandomTimes; ++i) times.push_back(random.uniform(begin, end));
+  for (const double step : steps)
+    for (const double side :
+         {std::nextafter(static_cast<float>(step), -1.0e30f), static_cast<float>(step)})
+      if (side >= begin && side <= end) times.push_back(side);
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+void measure_motion(const WindowProblem& p, const Motion& motion, WindowReport& report) {
+  const int samples = std::max(8, static_cast<int>((p.end - p.begin) * kVerifyRate));
+  for (int i = 0; i <= samples; ++i) {
+    const double u = static_cast<double>(i) / samples;
+    const double t = p.begin + (p.end - p.begin) * u;
+    const Curve& curve = motion.at(t);
+    const Dofs q = curve.value(t), v = curve.derivative(t), a = curve.second(t);
+    const LimbState clip = p.track->at(t);
+    const auto residual = residual_between(p.postures.front().state, p.postures.back().state, u);
+    for (int d = 0; d < q.count; ++d) {
+      report.peak_speed = std::max(report.peak_speed, std::abs(v[d]));
+      report.peak_acceleration = std::max(report.peak_acceleration, std::abs(a[d]));
+    }
+    for (std::size_t j = 0; j < p.limb->joints.size(); ++j) {
+      const JointModel& joint = p.limb->joints[j];
+      const auto first = static_cast<std::size_t>(joint.first_dof);
+      report.deviation_from_clip =
+          std::max(report.deviation_from_clip,
+                   angle_between(local_rotation(joint, &q.value[first], residual[j]),
+                                 local_rotation(joint, &clip.q.value[first], clip.residual[j])));
+    }
+  }
+}
+
+}  // namespace elbowroom

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// From a planned motion to keys that are looked at: what a player will show, on the deformed skin,
+// at many times, and between them by proof (certificate.h).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/editing/correct.h"
+#include "core/editing/window_motion.h"
+
+namespace elbowroom {
+
+// A motion as keys, and the clip with them.
+struct KeyedMotion {
+  Correction correction;
+  std::shared_ptr<const Clip> clip;
+};
+// Keys at the clip's rate or denser and at each of the problem's postures. Error: that of lay_over.
+Result<KeyedMotion> key_motion(const WindowProblem& problem, const Motion& motion);
+
+// Looks at the keys: the scene plays them meanwhile and problem.clip afterwards. Returns the first
+// contact ("A with B at t"), "cancelled", or nothing; then report.min_clearance, certified and what
+// belongs to it are set. Times are added to report's. `seed` chooses the random times.
+std::string verify_keys(WindowProblem& problem, const KeyedMotion& keyed, std::uint64_t seed,
+                        const std::stop_token& stop, const ProgressSink& progress,
+                        WindowReport& report);
+
+// The times at which a motion over [begin, end] is looked at: 240 Hz, the keys given, 1,000 random
+// ones, both sides of steps; ascending, unique.
+std::vector<double> verification_times(double begin, double end, const std::vector<float>& keys,
+                                       const std::vector<double>& steps, std::uint64_t seed);
+
+// Peak speed and acceleration of the curve, and how far it goes from the clip.
+void measure_motion(const WindowProblem& problem, const Motion& motion, WindowReport& report);
+
+}  // namespace elbowroom

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// One planned motion of a window, not yet keys: Algorithm 1, smoothing and the curve, from each
+// posture of the problem to the next [SKF07 4.1].
+//
+// Seconds, radians. A PlanningWorld poses the scene's limb while it lives if it looks at the skin;
+// one at a time then.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/editing/window_problem.h"
+#include "core/planning/curve.h"
+#include "core/planning/state_space.h"
+
+namespace elbowroom {
+
+class LimbPlanningSpace;
+
+// One way of looking at the world while planning.
+struct PlanningView {
+  bool on_skin = false;       // the deformed skin; else the limb's rigid parts
+  double clearance = 0;       // scene units
+  double body_clearance = 0;  // from the character itself; on the skin the smaller of the two holds
+  double margin = 0;          // for what the skin does beyond rigid parts, scene units
+  double near_share = 0;      // of samples near the clip's own motion
+
+  std::string text() const;  // for people
+};
+
+// The curves between a window's postures; one where there are none between.
+struct Motion {
+  std::vector<Curve> curves;
+  std::vector<double> until;  // end of each, seconds
+
+  bool empty() const { return curves.empty(); }
+  const Curve& at(double t) const;
+};
+
+// The world of each part of a problem, from one posture to the next, seen in one way.
+class PlanningWorld {
+ public:
+  PlanningWorld(WindowProblem& problem, const PlanningView& view);
+  ~PlanningWorld();
+  PlanningWorld(const PlanningWorld&) = delete;
+  PlanningWorld& operator=(const PlanningWorld&) = delete;
+
+  const PlanningView& view() const { return view_; }
+  StateSpace& part(std::size_t index);
+  // What said no most often so far, "A with B"; empty if it is not known.
+  std::string blocked_by() const;
+
+ private:
+  WindowProblem& problem_;
+  PlanningView view_;
+  std::vector<std::unique_ptr<StateSpace>> parts_;
+  std::vector<const LimbPlanningSpace*> rigid_;
+};
+
+// What a motion came to and what it cost.
+struct MotionResult {
+  Motion motion;            // empty if there is none
+  bool path_found = false;  // whatever became of it
+  bool cancelled = false;
+  std::string reason;  // one sentence, where there is none
+  int landmarks = 0;
+};
+struct PlanningCosts {
+  double plan_ms = 0, smooth_ms = 0;
+  long validity_checks = 0, edge_checks = 0, iterations = 0;
+};
+
+// Costs are added to. Same bytes for the same problem, view, wishes and seed.
+MotionResult plan_motion(WindowProblem& problem, PlanningWorld& world, const PlanningWishes& wishes,
+                         std::uint64_t seed, const std::stop_token& stop,
+                         const ProgressSink& progress, PlanningCosts& costs);
+
+// Whether one motion can be turned into the other without meeting anything: every blend of the two
+// is free, at each of some moments of the window. If so they are one way around with two looks; if
+// not, two ways.
+bool same_way_around(PlanningWorld& world, const WindowProblem& problem, const Motion& a,
+                     const Motion& b);
+
+}  // namespace elbowroom
