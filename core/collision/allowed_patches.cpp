@@ -98,6 +98,17 @@ void AllowedPatches::allow(int patch_a, int patch_b, std::uint8_t reason) {
   if (reason & (kShared | kBind)) always[at] = true;
 }
 
+double AllowedPatches::depth_about(int part_a, int part_b, double t, double memory) const {
+  const auto known = clip_depths.find({part_a, part_b});
+  if (known == clip_depths.end()) return -1;
+  double deepest = -1;
+  auto at = std::lower_bound(known->second.begin(), known->second.end(), t - memory,
+                             [](const DepthAt& d, double time) { return d.time < time; });
+  for (; at != known->second.end() && at->time <= t + memory; ++at)
+    deepest = std::max(deepest, at->depth);
+  return deepest;
+}
+
 bool AllowedPatches::empty() const {
   return std::all_of(reasons.begin(), reasons.end(), [](std::uint8_t r) { return r == 0; });
 }

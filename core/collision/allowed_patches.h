@@ -9,7 +9,8 @@
 //    the limb's length.
 //  * bind_pose: the patches touch in the bind pose.
 //  * clip: the two parts are in contact in the source clip, and these patches are then within
-//    CollisionSettings::touch_reach; allowed to the depth the clip has.
+//    CollisionSettings::touch_reach; allowed about the times at which the clip has them in contact,
+//    to the depth it has then.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +30,15 @@ struct AllowedPatches {
   std::vector<std::uint8_t> reasons;                 // a bit set for each pair: p · patches_b + q
   std::vector<bool> always;                          // kShared or kBind
   std::vector<bool> any;                             // or kClip
-  std::map<std::pair<int, int>, double> clip_depth;  // by part of a and part of b
+  std::map<std::pair<int, int>, double> clip_depth;  // by part of a and part of b, over the clip
+  // The same over time: how deep the clip has the two parts about the times it was looked at.
+  struct DepthAt {
+    double time = 0, depth = 0;
+  };
+  std::map<std::pair<int, int>, std::vector<DepthAt>> clip_depths;  // times ascend
+
+  // The deepest the clip has two parts within `memory` seconds of t; negative if it does not.
+  double depth_about(int part_a, int part_b, double t, double memory) const;
 
   AllowedPatches() = default;
   AllowedPatches(int count_a, int count_b);

@@ -205,7 +205,9 @@ void LimbPlanningSpace::Data::build_pairs() {
       own.cross.assign(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns), false);
       for (int p = 0; p < rows; ++p)
         for (int q = 0; q < columns; ++q)
-          if (swapped ? allowed.reasons_of(q, p) : allowed.reasons_of(p, q))
+          // What the clip touches is gathered below, within the window.
+          if ((swapped ? allowed.reasons_of(q, p) : allowed.reasons_of(p, q)) &
+              (AllowedPatches::kShared | AllowedPatches::kBind))
             own.cross[static_cast<std::size_t>(p) * static_cast<std::size_t>(columns) +
                       static_cast<std::size_t>(q)] = true;
       own.near = own.cross;
@@ -252,8 +254,11 @@ void LimbPlanningSpace::Data::gather_clip_contacts() {
       for (const bool cross : {true, false}) {
         PatchFilter filter = pair.filter;
         filter.allowed = cross ? &own.cross : &own.near;
-        find_contacts(*a.mesh, *b.mesh, a_from_b, cross ? scene.touching() : 1.001 * distance,
-                      filter, contacts);
+        double reach = cross ? scene.touching() : 1.001 * distance;
+        // Where the two are in contact, what is near beside it is part of the same touching.
+        if (cross && in_contact(*a.mesh, *b.mesh, a_from_b, reach))
+          reach = std::max(reach, scene.settings.touch_reach * scene.height);
+        find_contacts(*a.mesh, *b.mesh, a_from_b, reach, filter, contacts);
         for (const TriangleContact& contact : contacts) {
           const std::size_t bit = static_cast<std::size_t>(a.patch_of[contact.triangle_a]) *
                                       static_cast<std::size_t>(pair.filter.patches_b) +

@@ -106,7 +106,9 @@ void allow_from_clip(Data& data, TestPair& pair, std::optional<DepthByParts>& lo
   }
   const auto deepen = [&](const std::pair<int, int>& key, double now, double then) {
     double& depth = pair.allowed->clip_depth[key];
-    depth = std::max(depth, std::max(now, then) + 0.5 * std::abs(now - then));
+    const double about = std::max(now, then) + 0.5 * std::abs(now - then);
+    depth = std::max(depth, about);
+    pair.allowed->clip_depths[key].push_back({data.posed_at, about});
   };
   for (const auto& [key, now] : last) {
     const auto earlier = before.find(key);
@@ -198,7 +200,10 @@ bool find_allowed_contacts(Data& data, const std::stop_token& stop) {
 
   // Over the clip.
   std::map<std::pair<int, int>, std::optional<DepthByParts>> last;  // by bodies
-  for (const double t : clip_times(data)) {
+  const std::vector<double> times = clip_times(data);
+  for (std::size_t i = 1; i < times.size(); ++i)
+    data.clip_memory = std::max(data.clip_memory, 2 * (times[i] - times[i - 1]));
+  for (const double t : times) {
     if (stop.stop_requested()) return false;
     data.pose(t, true);
     for (TestPair& pair : data.pairs_now().pairs)

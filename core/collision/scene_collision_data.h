@@ -51,6 +51,9 @@ struct SceneCollision::Data {
   double height = 1, begin = 0, end = 0;
   std::shared_ptr<const Clip> source_clip;
   AllowedContacts allowed;
+  // What the clip touches it may touch a little earlier or later too, seconds: a limb that is
+  // replanned passes the same place in its own time.
+  double clip_memory = 0.15;
 
   std::vector<std::string> parts;  // names by part number
   std::vector<CollisionBody> bodies;

@@ -243,10 +243,10 @@ std::vector<ContactGroup> contact_groups(Data& data, const TestPair& pair, doubl
     group.depth = group.contained ? penetration_depth(a.mesh(), b.mesh(), a_from_b)
                                   : contact_depth(a, group.patches_a, b, group.patches_b);
     if (group.reason != AllowedPatches::kClip) continue;
-    // No deeper than the clip has these two parts.
-    const auto limit = pair.allowed->clip_depth.find({group.part_a, group.part_b});
-    if (limit == pair.allowed->clip_depth.end() || group.depth > limit->second + data.touching())
-      group.reason = 0;
+    // No deeper than the clip has these two parts about this time.
+    const double limit =
+        pair.allowed->depth_about(group.part_a, group.part_b, data.posed_at, data.clip_memory);
+    if (limit < 0 || group.depth > limit + data.touching()) group.reason = 0;
   }
   return groups;
 }
