@@ -100,6 +100,10 @@ struct Plan {};
 struct CancelPlan {};
 struct Accept {};
 struct Discard {};
+// Another of the ways that the plan came to becomes the candidate; past the last comes the first.
+struct ShowWay {
+  int index = 0;
+};
 
 // Corrections.
 struct SelectCorrection {
@@ -147,9 +151,9 @@ using Command = std::variant<
     command::SetSpeed, command::StepFrames, command::GoToEnd, command::GoToProblem,
     command::SelectLimb, command::SelectProblem, command::SetWindow, command::SetSampling,
     command::ChoosePreset, command::SetWishes, command::Plan, command::CancelPlan, command::Accept,
-    command::Discard, command::SelectCorrection, command::MuteCorrection, command::DeleteCorrection,
-    command::RenameCorrection, command::ReplanCorrection, command::SetTarget,
-    command::TargetFromPosture, command::Click, command::Quit>;
+    command::Discard, command::ShowWay, command::SelectCorrection, command::MuteCorrection,
+    command::DeleteCorrection, command::RenameCorrection, command::ReplanCorrection,
+    command::SetTarget, command::TargetFromPosture, command::Click, command::Quit>;
 
 using Commands = std::vector<Command>;
 

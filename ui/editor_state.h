@@ -63,10 +63,11 @@ struct Candidate {
   std::shared_ptr<const Clip> clip;  // the document's motion with it
 };
 
-// Why the last plan failed.
+// Why the last plan failed, and what was tried instead.
 struct PlanFailure {
   std::string limb, reason, blocked_by;
   double begin = 0, end = 0;
+  std::vector<Suggestion> suggestions;
 };
 
 // Where the limb stands for the hand target that is being set.
@@ -109,6 +110,8 @@ struct EditorState {
   int selected_correction = -1;
 
   std::optional<Candidate> candidate;
+  std::vector<Candidate> ways;  // all that the plan came to, best first; the candidate is one
+  int way = 0;                  // which
   std::optional<PlanFailure> failure;
   TargetView target;
 

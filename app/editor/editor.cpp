@@ -444,6 +444,13 @@ void Editor::handle(const Command& command) {
           state_.failure.reset();
           keep_replanned();
           refresh_time();
+        } else if constexpr (std::is_same_v<T, cmd::ShowWay>) {
+          const int count = static_cast<int>(state_.ways.size());
+          if (!state_.candidate || count == 0) return;
+          state_.way = ((c.index % count) + count) % count;
+          state_.candidate = state_.ways[static_cast<std::size_t>(state_.way)];
+          ++state_.picture_version;
+          refresh_time();
         } else if constexpr (std::is_same_v<T, cmd::SelectCorrection>) {
           if (has_correction(c.index)) state_.selected_correction = c.index;
         } else if constexpr (std::is_same_v<T, cmd::MuteCorrection>) {

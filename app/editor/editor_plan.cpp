@@ -231,9 +231,12 @@ void Editor::start_plan(int limb, Task task) {
       if (ticket != planning_.ticket) return;
       state_.planning.active = false;
       if (clip != state_.clip) return;
-      state_.candidate = outcome.candidate;
+      state_.ways = outcome.ways;
+      state_.way = 0;
+      state_.candidate.reset();
+      if (!state_.ways.empty()) state_.candidate = state_.ways.front();
       state_.failure = outcome.failure;
-      if (!outcome.candidate) {
+      if (!state_.candidate) {
         keep_replanned();
         state_.failure = outcome.failure;
       }

@@ -6,6 +6,7 @@
 
 #include "core/editing/plan_window.h"
 #include "core/editing/reach.h"
+#include "core/editing/suggestions.h"
 
 namespace elbowroom {
 namespace {
@@ -17,6 +18,7 @@ PlanFailure failure_of(const Task& task, const WindowReport& report) {
   failure.blocked_by = report.blocked_by;
   failure.begin = report.begin;
   failure.end = report.end;
+  failure.suggestions = report.suggestions;
   return failure;
 }
 
@@ -52,55 +54,63 @@ PlanOutcome SceneWork::plan(std::shared_ptr<const Clip> clip, int limb, const Ta
     return outcome;
   }
   scene_->set_clip(clip);
-  WindowReport report;
-  std::optional<Correction> correction;
+  WindowPlan plan;
   if (task.kind == TaskKind::reach) {
     auto reached = plan_reach(*scene_, limb, task, stop, progress);
     if (!reached) {
       outcome.error = reached.error();
       return outcome;
     }
-    report = std::move(reached->report);
-    correction = std::move(reached->correction);
+    plan = std::move(*reached);
   } else {
-    auto planned = plan_window(
+    plan = plan_window(
         window_problem(*scene_, clip, limb, task.window->lower, task.window->upper, task.wishes),
         task.wishes, stop, progress);
-    report = std::move(planned.report);
-    correction = std::move(planned.correction);
+    if (!plan.correction && !stop.stop_requested())
+      plan.report.suggestions =
+          try_suggestions(*scene_, plan.report, task.wishes, stop, [&](const Progress& p) {
+            progress({"trying what would do instead", p.fraction});
+          });
   }
   if (stop.stop_requested()) return outcome;
-  if (!correction) {
-    outcome.failure = failure_of(task, report);
+  if (!plan.correction) {
+    outcome.failure = failure_of(task, plan.report);
     return outcome;
   }
+  add_way(outcome, clip, limb, task, std::move(plan.report), std::move(*plan.correction), stop);
+  for (auto& other : plan.alternatives)
+    add_way(outcome, clip, limb, task, std::move(other.report), std::move(other.correction), stop);
+  return outcome;
+}
+
+void SceneWork::add_way(PlanOutcome& outcome, const std::shared_ptr<const Clip>& clip, int limb,
+                        const Task& task, WindowReport report, Correction correction,
+                        const std::stop_token& stop) {
+  if (outcome.error || stop.stop_requested()) return;
   const Skeleton& skeleton = session_->scene.model().skeleton;
-  auto laid = lay_over(skeleton, *clip, {*correction});
+  auto laid = lay_over(skeleton, *clip, {correction});
   if (!laid) {
     outcome.error = laid.error();
-    return outcome;
+    return;
   }
   Candidate candidate;
   candidate.task = task;
   // The task is what makes the same correction again: with the window that was planned.
   candidate.task.window =
-      Interval{static_cast<double>(correction->begin), static_cast<double>(correction->end)};
-  candidate.correction = std::move(*correction);
+      Interval{static_cast<double>(correction.begin), static_cast<double>(correction.end)};
+  candidate.correction = std::move(correction);
   candidate.report = std::move(report);
   candidate.clip = std::make_shared<const Clip>(std::move(*laid));
   scene_->set_clip(candidate.clip);
   candidate.scene_clearance = kStripReach * scene_->height();
   const double begin = candidate.task.window->lower, end = candidate.task.window->upper;
   const int samples = std::max(1, static_cast<int>((end - begin) * kStripRate));
-  for (int i = 0; i <= samples; ++i) {
-    if (stop.stop_requested()) return outcome;
+  for (int i = 0; i <= samples && !stop.stop_requested(); ++i)
     candidate.scene_clearance =
         std::min(candidate.scene_clearance,
                  scene_->limb_clearance_from_scene(begin + (end - begin) * i / samples, limb,
                                                    candidate.scene_clearance));
-  }
-  outcome.candidate = std::move(candidate);
-  return outcome;
+  if (!stop.stop_requested()) outcome.ways.push_back(std::move(candidate));
 }
 
 }  // namespace elbowroom

@@ -17,7 +17,7 @@ namespace elbowroom {
 
 // A plan's outcome: a candidate, a failure, or neither when it was cancelled.
 struct PlanOutcome {
-  std::optional<Candidate> candidate;
+  std::vector<Candidate> ways;  // as many as were asked for and found, best first
   std::optional<PlanFailure> failure;
   std::optional<Error> error;  // the question itself was wrong
 };
@@ -40,6 +40,11 @@ class SceneWork {
                    std::stop_token stop, const ProgressSink& progress);
 
  private:
+  // One verified motion more, with what the animator is to know of it.
+  void add_way(PlanOutcome& outcome, const std::shared_ptr<const Clip>& clip, int limb,
+               const Task& task, WindowReport report, Correction correction,
+               const std::stop_token& stop);
+
   std::shared_ptr<const Session> session_;
   std::optional<SceneCollision> scene_;
 };

@@ -20,8 +20,26 @@ void candidate_card(const PanelContext& context) {
       {"clearance in the scene", length_text(candidate.scene_clearance)},
       {"from the clip, at most", degrees_text(report.deviation_from_clip)},
       {"peak speed", number_text(report.peak_speed, 1, "rad/s")},
-      {"free at every key and 240 Hz", "", Tone::good, true},
+      {report.certified ? "proven free at all times" : "free at every key and 240 Hz", "",
+       Tone::good, true},
   };
+  const int ways = static_cast<int>(context.state.ways.size());
+  if (ways > 1) {
+    const int way = context.state.way;
+    IconButtonOptions step;
+    step.hint = "The way around before this one";
+    if (icon_button(ui, "Earlier way", Icon::step_back, step))
+      context.emit(command::ShowWay{way - 1});
+    ImGui::SameLine(0, ui.px(ui.theme().metrics.gap));
+    step.hint = "The next way around";
+    if (icon_button(ui, "Later way", Icon::step_forward, step))
+      context.emit(command::ShowWay{way + 1});
+    ImGui::SameLine(0, ui.px(ui.theme().metrics.gap));
+    inline_text(ui,
+                "Way " + std::to_string(way + 1) + " of " + std::to_string(ways) + ", cost " +
+                    number_text(report.cost, 3),
+                Tone::quiet);
+  }
   CardOptions options;
   options.selected = true;
   options.selected_tone = Tone::ghost;
@@ -44,11 +62,20 @@ void failure_note(const PanelContext& context) {
   const PlanFailure& failure = *context.state.failure;
   std::string more;
   if (!failure.blocked_by.empty()) more = "Most in the way: " + failure.blocked_by + ". ";
-  more += "Try a longer window, wider sampling intervals, less clearance or another seed.";
+  for (const Suggestion& suggestion : failure.suggestions)
+    more += sentence(suggestion.text()) + ". ";
+  const auto works = std::find_if(failure.suggestions.begin(), failure.suggestions.end(),
+                                  [](const Suggestion& s) { return s.works; });
+  if (works == failure.suggestions.end()) more += "Another seed may find a way.";
   inline_note(
       context.ui, Tone::problem,
       "No motion found: " + (failure.reason.empty() ? "the budget is used up" : failure.reason),
       more);
+  if (works == failure.suggestions.end() || works->kind != Suggestion::Kind::wider_window) return;
+  if (button(context.ui, "Use the wider window")) {
+    context.emit(command::SetWindow{works->window});
+    context.emit(command::Plan{});
+  }
 }
 
 }  // namespace
@@ -57,8 +84,10 @@ float plan_section_height(const PanelContext& context) {
   const Ui& ui = context.ui;
   const float foot = ui.px(ui.theme().metrics.control) + ui.px(40);
   if (context.state.planning.active) return foot + ui.px(12);
-  if (context.state.candidate) return foot + ui.px(206);
-  if (context.state.failure) return foot + ui.px(150);
+  if (context.state.candidate)
+    return foot + ui.px(206) + (context.state.ways.size() > 1 ? ui.px(32) : 0);
+  if (context.state.failure)
+    return foot + ui.px(150) + (context.state.failure->suggestions.empty() ? 0 : ui.px(90));
   return foot;
 }
 

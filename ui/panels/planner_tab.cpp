@@ -87,10 +87,10 @@ void draw_planner_tab(const PanelContext& context) {
   ways.minimum = 1;
   ways.maximum = 16;
   ways.drag_step = 0.1;
-  ways.hint = "How many motions to plan; the best of them is shown";
-  const Edit ways_edit = number_input(ui, "Best of", alternatives, ways);
+  ways.hint = "How many different ways around to look for; the best comes first";
+  const Edit ways_edit = number_input(ui, "Ways around", alternatives, ways);
   if (ways_edit) wishes.alternatives = static_cast<int>(std::lround(alternatives));
-  changed(ways_edit, "Best of " + std::to_string(wishes.alternatives));
+  changed(ways_edit, std::to_string(wishes.alternatives) + " ways around");
 }
 
 }  // namespace elbowroom

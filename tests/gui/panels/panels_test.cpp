@@ -197,14 +197,15 @@ TEST_F(Panels, PlannerTabNumbersAreOneStepEach) {
   EXPECT_GT(wishes().clearance, 0);
   expect_one_step([&] { ui().drag("Iterations", {-20, 0}); }, "Iterations");
   EXPECT_LT(wishes().max_iterations, before.max_iterations);
-  expect_one_step([&] { ui().drag("Best of", {40, 0}); }, "Best of");
+  expect_one_step([&] { ui().drag("Ways around", {40, 0}); }, "Ways around");
   EXPECT_GT(wishes().alternatives, before.alternatives);
   const Interval window = *draft().window;
   expect_one_step([&] { ui().drag("From", {20, 0}); }, "From");
   EXPECT_GT(draft().window->lower, window.lower);
   expect_one_step([&] { ui().drag("To", {-20, 0}); }, "To");
   EXPECT_LT(draft().window->upper, window.upper);
-  for (const char* name : {"Inspector/Seed", "Clearance", "Iterations", "Best of", "From", "To"}) {
+  for (const char* name :
+       {"Inspector/Seed", "Clearance", "Iterations", "Ways around", "From", "To"}) {
     expect_no_step([&] { drag_and_escape(name, {15, 0}); }, name);
     expect_no_step(
         [&] {
@@ -224,10 +225,10 @@ TEST_F(Panels, PlannerTabNumbersAreOneStepEach) {
   const int ways = wishes().alternatives;
   expect_one_step(
       [&] {
-        const ImVec2 at = ui().centre("Best of");
+        const ImVec2 at = ui().centre("Ways around");
         ui().drag(at, {at.x - 30, at.y}, 30);
       },
-      "Best of, slowly");
+      "Ways around, slowly");
   EXPECT_LT(wishes().alternatives, ways);
   // Typed.
   ui().double_click("Inspector/Seed");
