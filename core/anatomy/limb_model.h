@@ -31,7 +31,7 @@
 
 namespace elbowroom {
 
-// A joint between the limb's own (a twist or helper bone): its local rotation relative to what the
+// A joint between or beside the limb's own (a twist or helper bone): its local rotation relative to what the
 // clip has is kept.
 struct DrivenJoint {
   int joint = -1;
