@@ -22,12 +22,8 @@ Json limb_json(const Model& model, const Limb& limb) {
   };
   Json beside = Json::array();
   for (const int joint : limb.beside) beside.push_back(name(joint));
-  return {{"joints", joints},
-          {"root", name(limb.root)},
-          {"middle", name(limb.middle)},
-          {"end", name(limb.end)},
-          {"beside", beside},
-          {"why", limb.why}};
+  return {{"joints", joints},      {"root", name(limb.root)}, {"middle", name(limb.middle)},
+          {"end", name(limb.end)}, {"beside", beside},        {"why", limb.why}};
 }
 
 void print_text(const Model& model, const Json& info) {

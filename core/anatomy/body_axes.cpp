@@ -10,15 +10,15 @@ namespace elbowroom {
 namespace {
 
 // Rigs are bound standing straight in the axes they were modelled in; a slouch of the spine or a
-// foot put forward is no lean of the body. So an axis found this near to one of those is taken to be
-// that one. They turn with the figure, whatever turns it; the file's own count too, since some
+// foot put forward is no lean of the body. So an axis found this near to one of those is taken to
+// be that one. They turn with the figure, whatever turns it; the file's own count too, since some
 // figures were modelled in axes of no meaning.
 constexpr double kSnap = 25.0 * kPi / 180.0;
-constexpr double kSame = 1e-5;                    // radians: the file's axis, but for rounding
+constexpr double kSame = 1e-5;  // radians: the file's axis, but for rounding
 // How clearly knees, elbows and feet tell where the body looks: shares of a limb's length by which
 // the joint stands out, and of the shin's by which the foot does.
 constexpr double kLeastBend = 0.01, kClearBend = 0.08, kClearFoot = 0.06, kFootReach = 0.4;
-constexpr double kAgree = 1.0 * kPi / 180.0;      // shoulders and hips, on what is left
+constexpr double kAgree = 1.0 * kPi / 180.0;  // shoulders and hips, on what is left
 
 Vec3 snapped(const BoundFigure& figure, const Vec3& v, double within) {
   Vec3 best = v;

@@ -12,8 +12,9 @@ namespace elbowroom {
 
 struct BodyFindings {
   BodyAxes axes;
-  bool paired = false;          // two limbs of a pair told what is left and right
-  bool mirrored_names = false;  // feet and knees (or a mirror above) say that the names' left is the body's right
+  bool paired = false;  // two limbs of a pair told what is left and right
+  bool mirrored_names =
+      false;  // feet and knees (or a mirror above) say that the names' left is the body's right
 };
 
 // Up from the legs or the trunk, whichever is the more upright; left from the pairs of limb roots,

@@ -10,10 +10,10 @@ namespace elbowroom {
 namespace {
 
 constexpr double kDegree = kPi / 180;
-constexpr double kThumbOff = 25 * kDegree;    // from the mean of the others
-constexpr double kThumbClear = 8 * kDegree;   // more than the next one
-constexpr double kOnLine = 0.06;              // of a bone, off its line: a twist joint
-constexpr double kTwoApart = 15 * kDegree;    // of two digits, from the forearm
+constexpr double kThumbOff = 25 * kDegree;   // from the mean of the others
+constexpr double kThumbClear = 8 * kDegree;  // more than the next one
+constexpr double kOnLine = 0.06;             // of a bone, off its line: a twist joint
+constexpr double kTwoApart = 15 * kDegree;   // of two digits, from the forearm
 
 Vec3 transform(const Mat4& m, const Vec3& p) { return Vec3(m * glm::dvec4(p, 1.0)); }
 
@@ -75,17 +75,24 @@ void find_axes(BoundFigure& figure) {
 
 BoundFigure bound_figure(const Model& model, const Character& character) {
   const std::size_t count = model.skeleton.joints.size();
-  BoundFigure figure{model, character, bind_globals(model, character), {}, {}};
+  BoundFigure figure{model, character, bind_globals(model, character), {}, {}, {}};
   find_axes(figure);
   figure.skin.assign(count, 0.0);
+  figure.rigid.assign(count, 0.0);
   figure.jointed.assign(count, 0);
   for (const int joint : character.joints) figure.jointed[static_cast<std::size_t>(joint)] = 1;
   for (const int index : character.meshes) {
-    for (const Influence& influence : model.meshes[static_cast<std::size_t>(index)].influences) {
+    const Mesh& mesh = model.meshes[static_cast<std::size_t>(index)];
+    if (mesh.skin < 0 && mesh.node >= 0 && !mesh.positions.empty()) {
+      figure.rigid[static_cast<std::size_t>(mesh.node)] +=
+          static_cast<double>(mesh.positions.size());
+      figure.shown = true;
+    }
+    for (const Influence& influence : mesh.influences) {
       if (!(influence.weight > 0)) continue;
       figure.skin[static_cast<std::size_t>(influence.joint)] +=
           static_cast<double>(influence.weight);
-      figure.skinned = true;
+      figure.shown = true;
     }
   }
   for (std::size_t i = model.skeleton.order.size(); i-- > 0;) {
@@ -94,9 +101,22 @@ BoundFigure bound_figure(const Model& model, const Character& character) {
     if (parent < 0) continue;
     const auto p = static_cast<std::size_t>(parent);
     figure.skin[p] += figure.skin[j];
+    figure.rigid[p] += figure.rigid[j];
     figure.jointed[p] = static_cast<char>(figure.jointed[p] != 0 || figure.jointed[j] != 0);
   }
   return figure;
+}
+
+std::vector<int> BoundFigure::own_parts(const std::vector<int>& joints) const {
+  std::vector<int> skinned, moved, used;
+  for (const int joint : joints) {
+    const auto j = static_cast<std::size_t>(joint);
+    if (!is_skin_joint(character, joint)) continue;
+    used.push_back(joint);
+    if (carries(joint)) moved.push_back(joint);
+    if (skin[j] > 0) skinned.push_back(joint);
+  }
+  return !skinned.empty() ? skinned : !moved.empty() ? moved : used;
 }
 
 Vec3 tip_below(const BoundFigure& figure, int joint, const Vec3& from) {
@@ -138,17 +158,11 @@ std::vector<int> branches_below(const BoundFigure& figure, int end, bool foot) {
   constexpr int kDeepest = 3;
   int joint = end;
   for (int depth = 0; depth < kDeepest; ++depth) {
-    std::vector<int> branches;
-    // Fingers whose skin all follows the hand are fingers still.
-    for (const bool carrying : {true, false}) {
-      for (const int child : figure.children(joint)) {
-        if (is_skin_joint(figure.character, child) && (!carrying || figure.carries(child)) &&
-            direction(figure.place(child) - figure.place(end))) {
-          branches.push_back(child);
-        }
-      }
-      if (!branches.empty()) break;
+    std::vector<int> apart;
+    for (const int child : figure.children(joint)) {
+      if (direction(figure.place(child) - figure.place(end))) apart.push_back(child);
     }
+    const std::vector<int> branches = figure.own_parts(apart);
     if (foot || branches.size() != 1) return branches;
     joint = branches.front();
   }
@@ -206,22 +220,24 @@ std::optional<Vec3> extremity(const BoundFigure& figure, int joint, bool hand) {
     return sum / static_cast<double>(count);
   };
 
-  std::vector<int> carrying, all;
+  std::vector<int> all;
   for (const int child : figure.children(joint)) {
-    const bool bears_mesh =
-        std::any_of(figure.model.meshes.begin(), figure.model.meshes.end(),
-                    [&](const Mesh& mesh) { return mesh.node == child; });
+    const bool bears_mesh = std::any_of(figure.model.meshes.begin(), figure.model.meshes.end(),
+                                        [&](const Mesh& mesh) { return mesh.node == child; });
     if (bears_mesh && !is_skin_joint(figure.character, child)) continue;
     all.push_back(child);
-    if (figure.carries(child)) carrying.push_back(child);
+  }
+  std::vector<int> own;
+  for (const int part : figure.own_parts(all)) {
+    if (figure.carries(part)) own.push_back(part);
   }
   if (hand) {
     const int above = figure.parent(joint);
     const Vec3 lower = above < 0 ? Vec3(0.0) : from - figure.place(above);
-    const Digits digits = digits_of(figure, carrying, from, lower);
-    if (digits.thumb >= 0) std::erase(carrying, digits.thumb);
+    const Digits digits = digits_of(figure, own, from, lower);
+    if (digits.thumb >= 0) std::erase(own, digits.thumb);
   }
-  if (const auto beyond = mean_of(carrying)) return beyond;
+  if (const auto beyond = mean_of(own)) return beyond;
   Vec3 sum(0.0);
   int count = 0;
   add_vertices(figure, joint, sum, count);

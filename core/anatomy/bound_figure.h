@@ -17,18 +17,22 @@ struct BoundFigure {
   const Character& character;
   std::vector<Mat4> globals;  // bind_globals
   std::vector<double> skin;   // by node: weights of the vertices that follow it or a joint below it
+  std::vector<double> rigid;  // by node: vertices of rigid meshes at it or below it
   std::vector<char> jointed;  // by node: a skin uses it or a joint below it
-  bool skinned = false;       // some vertex follows some joint
+  bool shown = false;         // there is a vertex at all
   // Axes of the space in which the figure was modelled (that of its bind matrices), world, unit:
   // they turn with the figure.
   std::array<Vec3, 3> axes{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
 
-  // Whether turning the joint moves skin. In a file without a figure (a clip with its skeleton
-  // alone) every joint of a skin does.
+  // Whether turning the joint moves part of the figure, or what it holds. In a file without a
+  // figure (a clip with its skeleton alone) every joint of a skin does.
   bool carries(int joint) const {
     const auto j = static_cast<std::size_t>(joint);
-    return jointed[j] != 0 && (!skinned || skin[j] > 0);
+    return jointed[j] != 0 && (!shown || skin[j] > 0 || rigid[j] > 0);
   }
+  // Of joints side by side those that move skin, if there are any, else those that move anything,
+  // else those that a skin uses: a figure's own parts rather than what hangs from it.
+  std::vector<int> own_parts(const std::vector<int>& joints) const;
   const std::vector<int>& children(int joint) const {
     return model.skeleton.children[static_cast<std::size_t>(joint)];
   }
@@ -64,9 +68,9 @@ bool lies_along(const BoundFigure& figure, int joint, int from, int to);
 // The same of a place.
 bool lies_along(const Vec3& place, const Vec3& from, const Vec3& to);
 
-// Centre of what lies beyond a limb's end as seen from it: of the origins of its children that carry
-// skin (a hand's thumb apart), else of the vertices that follow it for more than half, else of its
-// children; relative to the joint. Nothing if there is none of these.
+// Centre of what lies beyond a limb's end as seen from it: of the origins of its children that
+// carry skin (a hand's thumb apart), else of the vertices that follow it for more than half, else
+// of its children; relative to the joint. Nothing if there is none of these.
 std::optional<Vec3> extremity(const BoundFigure& figure, int joint, bool hand);
 
 }  // namespace elbowroom

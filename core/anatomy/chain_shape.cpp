@@ -117,10 +117,9 @@ ShapedChain ChainShapes::follow(int joint) const {
         add(chain, together);
         fork = true;
         const std::vector<int>& on = below(together);
-        next = on.empty() ? -1
-                          : *std::max_element(on.begin(), on.end(), [&](int a, int b) {
-                              return extent(a) < extent(b);
-                            });
+        next = on.empty() ? -1 : *std::max_element(on.begin(), on.end(), [&](int a, int b) {
+          return extent(a) < extent(b);
+        });
       }
     }
     if (fork) chain.forks.back() = 1;
@@ -151,15 +150,15 @@ std::vector<double> ChainShapes::bends_in_clips(const std::vector<int>& joints) 
       const auto keys = static_cast<int>(std::min<std::size_t>(channel.times.size(), kMostKeys));
       Vec3 first(0.0);
       for (int k = 0; k < keys; ++k) {
-        const std::size_t key = keys > 1 ? static_cast<std::size_t>(k) *
-                                               (channel.times.size() - 1) /
-                                               static_cast<std::size_t>(keys - 1)
-                                         : 0;
+        const std::size_t key = keys > 1
+                                    ? static_cast<std::size_t>(k) * (channel.times.size() - 1) /
+                                          static_cast<std::size_t>(keys - 1)
+                                    : 0;
         const Vec3 way = sample_rotation(channel, static_cast<double>(channel.times[key])) * *bone;
         if (!finite(way)) continue;
         if (first == Vec3(0.0)) first = way;
-        bends[i] = std::max(bends[i], std::atan2(glm::length(glm::cross(first, way)),
-                                                 glm::dot(first, way)));
+        bends[i] = std::max(bends[i],
+                            std::atan2(glm::length(glm::cross(first, way)), glm::dot(first, way)));
       }
       any = any || bends[i] > kBends;
     }
@@ -172,7 +171,8 @@ std::vector<ChainFit> ChainShapes::fits(const ShapedChain& chain, const ShapedCh
   std::vector<ChainFit> found;
   const std::size_t count = std::min(chain.joints.size(), kLongestChain);
   std::vector<Vec3> place;
-  for (std::size_t i = 0; i < chain.joints.size(); ++i) place.push_back(figure_.place(chain.joints[i]));
+  for (std::size_t i = 0; i < chain.joints.size(); ++i)
+    place.push_back(figure_.place(chain.joints[i]));
   const std::size_t fork = static_cast<std::size_t>(
       std::find(chain.forks.begin(), chain.forks.end(), 1) - chain.forks.begin());
   constexpr double kHopeless = 4;
@@ -194,8 +194,8 @@ std::vector<ChainFit> ChainShapes::fits(const ShapedChain& chain, const ShapedCh
         int twists = 0;
         for (std::size_t m = i + 1; m < k; ++m) {
           if (m == j) continue;
-          const bool twist = lies_along(place[m], m < j ? place[i] : place[j],
-                                     m < j ? place[j] : place[k]);
+          const bool twist =
+              lies_along(place[m], m < j ? place[i] : place[j], m < j ? place[j] : place[k]);
           cost += twist ? kOnLineCost : kOffLineCost;
           if (!chain.bends.empty() && chain.bends[m] > kBends) cost += kOffLineCost;
           ++twists;
@@ -215,13 +215,11 @@ std::vector<ChainFit> ChainShapes::fits(const ShapedChain& chain, const ShapedCh
         }
         if (!arm && k + 1 < chain.joints.size()) {
           const Vec3 shin = place[k] - place[j], foot = place[k + 1] - place[k];
-          const double turn =
-              std::atan2(glm::length(glm::cross(shin, foot)), glm::dot(shin, foot));
+          const double turn = std::atan2(glm::length(glm::cross(shin, foot)), glm::dot(shin, foot));
           if (turn > kAnkleTurn && glm::length(foot) > 0) cost += kAnkleBonus;
         }
         if (arm && other != nullptr && i < other->joints.size()) {
-          const double breadth =
-              glm::distance(place[i], figure_.place(other->joints[i])) / length;
+          const double breadth = glm::distance(place[i], figure_.place(other->joints[i])) / length;
           cost += kShouldersCost * std::max(0.0, kShoulders - breadth) / kShoulders;
         }
         if (!chain.bends.empty()) {

@@ -46,15 +46,16 @@ class Finder {
         for (const std::string& warning : limb_warnings_[slot(kind)])
           findings.warnings.push_back(std::string(limb_id(kind)) + ": " + warning);
       } else {
-        findings.warnings.push_back(std::string(limb_id(kind)) + " not found: " +
-                                    reasons_[slot(kind)]);
+        findings.warnings.push_back(std::string(limb_id(kind)) +
+                                    " not found: " + reasons_[slot(kind)]);
       }
     }
     for (const Limb& chain : chains_) findings.limbs.push_back(chain);
     for (const std::string& warning : warnings_) findings.warnings.push_back(warning);
     if (find_body_axes(figure_, findings.limbs).mirrored_names) {
       findings.warnings.push_back(
-          "left and right seem swapped in the joints' names: the figure is mirrored, or feet, knees "
+          "left and right seem swapped in the joints' names: the figure is mirrored, or feet, "
+          "knees "
           "and elbows face the other way; limbs are called as the names have it");
     }
     return findings;
@@ -187,8 +188,8 @@ class Finder {
 
   void put_shape(LimbKind kind, const ShapedLimb& limb) {
     put(kind, limb.root, limb.middle, limb.end,
-        "shape (its names say nothing): " + limb.why + "; root " + quoted(limb.root) +
-            ", middle " + quoted(limb.middle) + ", end " + quoted(limb.end));
+        "shape (its names say nothing): " + limb.why + "; root " + quoted(limb.root) + ", middle " +
+            quoted(limb.middle) + ", end " + quoted(limb.end));
     unsure_[slot(kind)] = true;
     found_[slot(kind)]->named_side = false;
   }
@@ -200,8 +201,8 @@ class Finder {
     });
   }
 
-  // Sides that nothing told were taken as facing +z. Where others are sure, theirs count; else feet,
-  // knees and elbows show which way the figure looks.
+  // Sides that nothing told were taken as facing +z. Where others are sure, theirs count; else
+  // feet, knees and elbows show which way the figure looks.
   void settle_sides() {
     std::vector<Limb> sure, all;
     for (const LimbKind kind : kKinds) {
@@ -236,8 +237,8 @@ class Finder {
         found_[slot(kind)]->kind = kind;
         found_[slot(kind)]->name = limb_id(kind);
         found_[slot(kind)]->why += by_sure.paired ? "; the side by the other limbs'"
-                                   : turned       ? "; the side by where feet, knees and elbows look"
-                                                  : "; the side by where it stands, facing +z";
+                                   : turned ? "; the side by where feet, knees and elbows look"
+                                            : "; the side by where it stands, facing +z";
       }
     }
   }

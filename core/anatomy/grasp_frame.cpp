@@ -143,9 +143,9 @@ std::optional<Facing> by_skin(const GraspEvidence& e, const HandParts& hand, con
 Result<GraspFrame> fit_grasp_frame(const GraspEvidence& e) {
   const bool leg = e.limb.kind == LimbKind::left_leg || e.limb.kind == LimbKind::right_leg;
   const std::string part = leg ? "sole" : "palm";
-  const std::string where = e.figure.model.path.filename().string() + ", joint '" +
-                            e.figure.model.skeleton.joints[static_cast<std::size_t>(e.limb.end)].name +
-                            "'";
+  const std::string where =
+      e.figure.model.path.filename().string() + ", joint '" +
+      e.figure.model.skeleton.joints[static_cast<std::size_t>(e.limb.end)].name + "'";
   const auto unknown = [&](const std::string& why) {
     return Error{"the " + part + " cannot be told: " + why, where, "aim the end joint itself"};
   };
@@ -156,8 +156,7 @@ Result<GraspFrame> fit_grasp_frame(const GraspEvidence& e) {
     if (!finite(joint_from_world[c])) return unknown("the joint has no size");
   }
 
-  const HandParts hand =
-      hand_parts(e.figure, e.limb.end, leg, e.end_is_fixed);
+  const HandParts hand = hand_parts(e.figure, e.limb.end, leg, e.end_is_fixed);
   const Vec3 wrist = origin(e.figure.globals, e.limb.end);
   const auto skin_middle = middle_of(hand.all);
   Vec3 middle, along;

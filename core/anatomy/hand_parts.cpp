@@ -11,8 +11,8 @@ namespace elbowroom {
 namespace {
 
 constexpr double kRootFrom = 1.0 / 3;  // of the way to a chain's end: nearer is a metacarpal
-constexpr double kNearEnd = 0.4;       // of the lower bone: joints beside the end that are the hand's
-constexpr double kBehind = 0.15;       // of the lower bone, behind the end
+constexpr double kNearEnd = 0.4;  // of the lower bone: joints beside the end that are the hand's
+constexpr double kBehind = 0.15;  // of the lower bone, behind the end
 
 // What a joint is to the hand. Whatever is below a thumb or a finger is of it.
 enum class Role : char { none, palm, finger, thumb };
@@ -196,7 +196,7 @@ class Finder {
   int end_;
   bool foot_;
   std::vector<Role> roles_;  // by joint
-  HandParts parts_, held_;  // held: what may be held by the hand
+  HandParts parts_, held_;   // held: what may be held by the hand
 };
 
 }  // namespace

@@ -2,8 +2,8 @@
 // Which joints of a character are its arms and legs, and why we think so.
 //
 // A limb is an open linkage from its root (shoulder, hip) over its middle (elbow, knee) to its end
-// (wrist, ankle). Between and beside them may stand twist or helper joints: driven joints, which keep
-// their clip relation to the limb joint they serve.
+// (wrist, ankle). Between and beside them may stand twist or helper joints: driven joints, which
+// keep their clip relation to the limb joint they serve.
 //
 // Whose word counts: the animator's own, then the file's (VRM's humanoid bones), then the joints'
 // names, then the figure's shape (core/anatomy/shaped_limbs.h).

@@ -117,9 +117,9 @@ Result<Limb> limb_between(const Model& model, const Character& character, const 
   if (joints.middle.empty()) {
     limb.middle = middle_of(figure.globals, path);
     if (limb.middle < 0) {
-      return Error{"between '" + joints.from + "' and '" + joints.to +
-                       "' is no joint that could bend",
-                   file, "a chain needs at least three joints in three places"};
+      return Error{
+          "between '" + joints.from + "' and '" + joints.to + "' is no joint that could bend", file,
+          "a chain needs at least three joints in three places"};
     }
     limb.why += quoted_joint(model, limb.middle) + ", which leaves the most equal bones";
   } else {
@@ -127,9 +127,9 @@ Result<Limb> limb_between(const Model& model, const Character& character, const 
     if (limb.middle < 0) return missing(joints.middle);
     if (limb.middle == root || limb.middle == end ||
         std::find(path.begin(), path.end(), limb.middle) == path.end()) {
-      return Error{"'" + joints.middle + "' is not between '" + joints.from + "' and '" +
-                       joints.to + "'",
-                   file, "name a joint of the chain"};
+      return Error{
+          "'" + joints.middle + "' is not between '" + joints.from + "' and '" + joints.to + "'",
+          file, "name a joint of the chain"};
     }
     limb.why += quoted_joint(model, limb.middle) + ", as named";
   }

@@ -42,9 +42,9 @@ std::string listed(const Model& model, const std::vector<int>& joints) {
 void complete_limb(const BoundFigure& figure, Limb& limb) {
   const Model& model = figure.model;
   std::vector<int> moved;
-  for (const auto& [which, above] : {std::pair(&Limb::end, &Limb::middle),
-                                     std::pair(&Limb::middle, &Limb::root),
-                                     std::pair(&Limb::root, &Limb::root)}) {
+  for (const auto& [which, above] :
+       {std::pair(&Limb::end, &Limb::middle), std::pair(&Limb::middle, &Limb::root),
+        std::pair(&Limb::root, &Limb::root)}) {
     const int pivot = pivot_of(figure, limb.*which, which == above ? -1 : limb.*above);
     if (pivot != limb.*which) moved.push_back(pivot);
     limb.*which = pivot;

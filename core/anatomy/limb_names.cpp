@@ -21,23 +21,22 @@ const std::map<std::string, Word, std::less<>>& vocabulary() {
     add(Word::side_left, {"left"});
     add(Word::side_right, {"right"});
     add(Word::part,
-        {"upper",   "up",      "upr",      "lower", "low",      "lo",     "lwr",    "fore",
-         "arm",     "arms",    "leg",      "legs",  "hand",     "wrist",  "elbow",  "thigh",
-         "shin",    "calf",    "knee",     "foot",  "feet",     "ankle",  "bicep",  "biceps",
-         "femur",   "tibia",   "shoulder", "shldr", "clavicle", "clav",   "collar", "collarbone",
-         "scapula", "humerus", "ulna",     "hip",   "hips",     "pelvis", "palm",   "radius",
+        {"upper",   "up",      "upr",      "lower",  "low",      "lo",     "lwr",    "fore",
+         "arm",     "arms",    "leg",      "legs",   "hand",     "wrist",  "elbow",  "thigh",
+         "shin",    "calf",    "knee",     "foot",   "feet",     "ankle",  "bicep",  "biceps",
+         "femur",   "tibia",   "shoulder", "shldr",  "clavicle", "clav",   "collar", "collarbone",
+         "scapula", "humerus", "ulna",     "hip",    "hips",     "pelvis", "palm",   "radius",
          "fibula",  "down",    "dn",       "forearm"});
     // German, French, Spanish, Italian, Portuguese.
     add(Word::part,
-        {"oberarm",        "unterarm",     "ellenbogen", "handgelenk",  "oberschenkel",
-         "unterschenkel",  "knie",         "fuss",       "knoechel",    "bras",
-         "avantbras",      "coude",        "poignet",    "cuisse",      "jambe",
-         "genou",          "cheville",     "pied",       "brazo",       "antebrazo",
-         "codo",           "mano",         "muneca",     "muslo",       "pierna",
-         "pantorrilla",    "rodilla",      "pie",        "tobillo",     "braccio",
-         "avambraccio",    "gomito",       "polso",      "coscia",      "gamba",
-         "ginocchio",      "piede",        "caviglia",   "braco",       "antebraco",
-         "cotovelo",       "coxa",         "perna",      "joelho",      "tornozelo"});
+        {"oberarm",     "unterarm",    "ellenbogen", "handgelenk", "oberschenkel", "unterschenkel",
+         "knie",        "fuss",        "knoechel",   "bras",       "avantbras",    "coude",
+         "poignet",     "cuisse",      "jambe",      "genou",      "cheville",     "pied",
+         "brazo",       "antebrazo",   "codo",       "mano",       "muneca",       "muslo",
+         "pierna",      "pantorrilla", "rodilla",    "pie",        "tobillo",      "braccio",
+         "avambraccio", "gomito",      "polso",      "coscia",     "gamba",        "ginocchio",
+         "piede",       "caviglia",    "braco",      "antebraco",  "cotovelo",     "coxa",
+         "perna",       "joelho",      "tornozelo"});
     add(Word::side_left, {"links", "linker", "linkes", "linke", "gauche", "izquierda", "izquierdo",
                           "izq", "sinistra", "sinistro", "esquerda", "esquerdo", "hidari"});
     add(Word::side_right, {"rechts", "rechter", "rechtes", "rechte", "droite", "droit", "derecha",
@@ -47,19 +46,22 @@ const std::map<std::string, Word, std::less<>>& vocabulary() {
                        "little", "metacarpal", "carpal", "knuckle"});
     add(Word::toe, {"toe", "toes", "toebase", "ball", "heel"});
     add(Word::helper,
-        {"ik",     "fk",     "ctrl",    "ctl",        "control", "controller", "cntrl",    "pole",
-         "target", "orient", "twist",   "roll",       "helper",  "tweak",      "effector", "eff",
-         "socket", "attach", "slot",    "prop",       "weapon",  "mch",        "pv",
-         "pt",     "aux",    "aim",     "goal",       "locator", "hint",       "handle",   "driver",
-         "jiggle", "muscle", "tracker", "corrective", "share",   "assimp",   "dummy",   "cancel",
-         "pivot",  "proxy",  "sleeve", "skirt",      "cloth",   "armor",      "armour"});
+        {"ik",       "fk",     "ctrl",   "ctl",    "control", "controller", "cntrl",
+         "pole",     "target", "orient", "twist",  "roll",    "helper",     "tweak",
+         "effector", "eff",    "socket", "attach", "slot",    "prop",       "weapon",
+         "mch",      "pv",     "pt",     "aux",    "aim",     "goal",       "locator",
+         "hint",     "handle", "driver", "jiggle", "muscle",  "tracker",    "corrective",
+         "share",    "assimp", "dummy",  "cancel", "pivot",   "proxy",      "sleeve",
+         "skirt",    "cloth",  "armor",  "armour"});
     add(Word::copy, {"org"});
     add(Word::end_marker, {"end", "nub", "tip"});
-    add(Word::noise, {"mixamorig", "bip",   "biped", "def", "deform",     "armature",  "skeleton",
-                      "skel",      "joint", "jnt",   "jt",  "bone",       "bn",        "bind",
-                      "skin",      "cc",    "base",  "rig", "char",       "character", "bend",
-                      "stretch",   "b",     "j",     "sk",  "valvebiped", "main", "fbx", "no", "rot",
-                      "rotation", "trans", "translation", "pre", "node", "o", "mesh"});
+    add(Word::noise,
+        {"mixamorig", "bip",   "biped",    "def",   "deform",      "armature",  "skeleton",
+         "skel",      "joint", "jnt",      "jt",    "bone",        "bn",        "bind",
+         "skin",      "cc",    "base",     "rig",   "char",        "character", "bend",
+         "stretch",   "b",     "j",        "sk",    "valvebiped",  "main",      "fbx",
+         "no",        "rot",   "rotation", "trans", "translation", "pre",       "node",
+         "o",         "mesh"});
     return map;
   }();
   return words;
@@ -85,9 +87,9 @@ int hex_digit(char c) {
   return -1;
 }
 
-// Words of the scripts that don't separate words, and of those that our tokens don't hold, with what
-// they mean; longer ones before those they contain. MikuMikuDance's own names first: 腕 is the upper
-// arm there, 足 the thigh, D bones are the ones that move the skin.
+// Words of the scripts that don't separate words, and of those that our tokens don't hold, with
+// what they mean; longer ones before those they contain. MikuMikuDance's own names first: 腕 is the
+// upper arm there, 足 the thigh, D bones are the ones that move the skin.
 struct Foreign {
   const char* word;
   const char* meaning;
@@ -228,8 +230,8 @@ std::vector<std::string> split(const std::string& text) {
   return tokens;
 }
 
-// Cuts a compound such as "leftupleg" into known words, fewest first; empty if it is none. One side's
-// letter may stand between them ("bip01" lost its spaces: "biplupperarm").
+// Cuts a compound such as "leftupleg" into known words, fewest first; empty if it is none. One
+// side's letter may stand between them ("bip01" lost its spaces: "biplupperarm").
 std::vector<std::string> cut_compound(const std::string& token, bool with_letter = false) {
   constexpr std::size_t kLongest = 40;
   if (token.size() > kLongest) return {};
@@ -296,9 +298,8 @@ BonePart part_of(const std::set<std::string>& has) {
            "antebrazo", "codo", "avambraccio", "gomito", "antebraco", "cotovelo"}))
     return BonePart::forearm;
   if ((arm && upper) || any({"bicep", "biceps", "humerus", "oberarm"})) return BonePart::upper_arm;
-  if ((leg && lower) ||
-      any({"shin", "calf", "knee", "tibia", "fibula", "unterschenkel", "knie", "genou",
-           "pantorrilla", "rodilla", "ginocchio", "joelho"}))
+  if ((leg && lower) || any({"shin", "calf", "knee", "tibia", "fibula", "unterschenkel", "knie",
+                             "genou", "pantorrilla", "rodilla", "ginocchio", "joelho"}))
     return BonePart::shin;
   if ((leg && upper) ||
       any({"thigh", "femur", "oberschenkel", "cuisse", "muslo", "coscia", "coxa"}))

@@ -52,7 +52,8 @@ struct Chain {
 void read_names(Finder& finder) {
   const auto& joints = finder.model.skeleton.joints;
   std::vector<std::string> names;
-  for (const int joint : finder.members) names.push_back(joints[static_cast<std::size_t>(joint)].name);
+  for (const int joint : finder.members)
+    names.push_back(joints[static_cast<std::size_t>(joint)].name);
   const std::set<std::string> habit = common_words(names);
   finder.names.resize(joints.size());
   for (const int joint : finder.members) {
@@ -66,8 +67,7 @@ void read_names(Finder& finder) {
 int rank_of(const Finder& finder, int joint) {
   const BoneName& name = finder.names[static_cast<std::size_t>(joint)];
   return (finder.figure.carries(joint) ? 8 : 0) + (name.copy ? 0 : 4) +
-         (name.unknown.empty() ? 2 : 0) +
-         (is_skin_joint(finder.figure.character, joint) ? 1 : 0);
+         (name.unknown.empty() ? 2 : 0) + (is_skin_joint(finder.figure.character, joint) ? 1 : 0);
 }
 
 bool of_family(const Family& family, BonePart part) {

@@ -11,18 +11,18 @@
 namespace elbowroom {
 namespace {
 
-constexpr std::size_t kMostSiblings = 24;   // that are compared in pairs
-constexpr std::size_t kMostPairs = 60;      // kept, the best ones
-constexpr double kAlike = 0.2;              // of both sides' bones, on the logarithm of lengths
-constexpr double kUnlikeCost = 2;           // for each unit of it
-constexpr double kMostExtent = 2;           // one side against the other, with what it holds
-constexpr double kApart = 0.02;             // of a limb's length, between the roots of a pair
-constexpr double kMostCost = 1.6;           // for each of a pair: worse is no limb
-constexpr double kTrunk = 0.2;              // of a limb's length, between shoulders and hips
-constexpr double kSameSides = 0.85;         // cosine, between shoulders' and hips' lines
-constexpr double kAcross = 0.4;             // cosine, between the trunk and those lines
-constexpr double kSymmetric = 0.8;          // of the joints, where one pair is all there is
-constexpr double kMirrorNear = 0.05;        // of the figure's size
+constexpr std::size_t kMostSiblings = 24;  // that are compared in pairs
+constexpr std::size_t kMostPairs = 60;     // kept, the best ones
+constexpr double kAlike = 0.2;             // of both sides' bones, on the logarithm of lengths
+constexpr double kUnlikeCost = 2;          // for each unit of it
+constexpr double kMostExtent = 2;          // one side against the other, with what it holds
+constexpr double kApart = 0.02;            // of a limb's length, between the roots of a pair
+constexpr double kMostCost = 1.6;          // for each of a pair: worse is no limb
+constexpr double kTrunk = 0.2;             // of a limb's length, between shoulders and hips
+constexpr double kSameSides = 0.85;        // cosine, between shoulders' and hips' lines
+constexpr double kAcross = 0.4;            // cosine, between the trunk and those lines
+constexpr double kSymmetric = 0.8;         // of the joints, where one pair is all there is
+constexpr double kMirrorNear = 0.05;       // of the figure's size
 
 struct Fit {
   std::array<ChainFit, 2> side;  // of both chains
@@ -89,9 +89,8 @@ class Finder {
 
   void pairs_among(int above, std::vector<int> siblings) {
     if (siblings.size() < 2) return;
-    std::stable_sort(siblings.begin(), siblings.end(), [&](int a, int b) {
-      return shape_.extent(a) > shape_.extent(b);
-    });
+    std::stable_sort(siblings.begin(), siblings.end(),
+                     [&](int a, int b) { return shape_.extent(a) > shape_.extent(b); });
     if (siblings.size() > kMostSiblings) siblings.resize(kMostSiblings);
     for (std::size_t i = 0; i < siblings.size(); ++i) {
       for (std::size_t j = i + 1; j < siblings.size(); ++j) {
@@ -117,16 +116,15 @@ class Finder {
       const double cost = 0.5 * (a.cost + b.cost) + extra + kUnlikeCost * off;
       if (!(cost < best.cost) || !(off < kAlike)) return;
       const double length = 0.5 * (a.upper + a.lower + b.upper + b.lower);
-      if (!(glm::distance(place(pair, 0, a.root), place(pair, 1, b.root)) > kApart * length)) return;
+      if (!(glm::distance(place(pair, 0, a.root), place(pair, 1, b.root)) > kApart * length))
+        return;
       best.side = {a, b};
       best.cost = cost;
       best.length = length;
     };
     const std::vector<ChainFit> first = shape_.fits(*pair.chains[0], pair.chains[1], arm);
     const std::vector<ChainFit> second = shape_.fits(*pair.chains[1], pair.chains[0], arm);
-    const auto key = [](const ChainFit& fit) {
-      return std::array{fit.root, fit.middle, fit.end};
-    };
+    const auto key = [](const ChainFit& fit) { return std::array{fit.root, fit.middle, fit.end}; };
     // Both are in the order of their indices.
     auto b = second.begin();
     for (const ChainFit& a : first) {
@@ -207,8 +205,7 @@ class Finder {
       if (!symmetric_about(pair, fit)) continue;
       const Vec3 roots = middle(pair, fit, &ChainFit::root);
       const auto way = direction(middle(pair, fit, &ChainFit::end) - roots);
-      const bool stands =
-          way && glm::dot(*way, rest_of_body(pair) - roots) < -0.25 * fit.length;
+      const bool stands = way && glm::dot(*way, rest_of_body(pair) - roots) < -0.25 * fit.length;
       if (stands && could_be_legs) {
         legs = &pair;
         found.no_arms = "beside the legs no pair of chains has three joints that fit an arm";
@@ -275,8 +272,9 @@ class Finder {
         from = name.empty() ? "node " + std::to_string(pair.above) : "'" + name + "'";
       }
       char text[160];
-      std::snprintf(text, sizeof text, "two chains alike on both sides as %s are, bones %.3g and %.3g",
-                    what, own.upper, own.lower);
+      std::snprintf(text, sizeof text,
+                    "two chains alike on both sides as %s are, bones %.3g and %.3g", what,
+                    own.upper, own.lower);
       limbs[side].why = std::string(text) + ", leaving " + from + own.remark;
     }
     return limbs;

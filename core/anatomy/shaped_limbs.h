@@ -3,10 +3,11 @@
 //
 // A body has two pairs of chains that are alike on both sides: arms, which leave the upper trunk,
 // and legs, which leave its lower end and point away from it. Every pair of joints side by side is
-// the root of a possible pair of chains; a chain is followed to where it ends or forks into fingers.
-// Along it, the root, the middle and the end of a limb are the three joints whose two bones fit a
-// limb best: about equally long, clavicles before them and a hand or foot beyond them short, twist
-// joints on the line between them, and, where there are clips, joints that bend in them.
+// the root of a possible pair of chains; a chain is followed to where it ends or forks into
+// fingers. Along it, the root, the middle and the end of a limb are the three joints whose two
+// bones fit a limb best: about equally long, clavicles before them and a hand or foot beyond them
+// short, twist joints on the line between them, and, where there are clips, joints that bend in
+// them.
 //
 // What is asked of a chain are lengths and angles of the bind pose, relative to each other, and how
 // far joints bend in the clips. So size, placement and mirrors do not matter, and names do not.

@@ -43,8 +43,8 @@ struct Checked {
   std::vector<std::string> unusable;       // by accessor: why it can't be read; empty if it can
   std::vector<bool> visible;               // by node: in the scene that is shown
   std::vector<NamedBone> human_bones;
-  bool quantized = false;                  // KHR_mesh_quantization is in use
-  std::uint64_t total_bytes = 0;           // of all buffers: what the file can justify to allocate
+  bool quantized = false;         // KHR_mesh_quantization is in use
+  std::uint64_t total_bytes = 0;  // of all buffers: what the file can justify to allocate
   std::vector<std::string> warnings;
 };
 

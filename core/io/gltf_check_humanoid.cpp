@@ -6,8 +6,8 @@
 namespace elbowroom::gltf {
 namespace {
 
-constexpr std::size_t kMostBones = 256;     // VRM knows 55
-constexpr std::size_t kLongestName = 64;    // of a bone
+constexpr std::size_t kMostBones = 256;   // VRM knows 55
+constexpr std::size_t kLongestName = 64;  // of a bone
 
 class Reader {
  public:

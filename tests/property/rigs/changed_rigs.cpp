@@ -39,7 +39,8 @@ Model scaled(const Model& model, double factor) {
   const auto f = static_cast<float>(factor);
   for (Joint& joint : changed.skeleton.joints) {
     joint.rest.translation *= factor;
-    if (joint.rest_matrix) (*joint.rest_matrix)[3] = glm::dvec4(Vec3((*joint.rest_matrix)[3]) * factor, 1);
+    if (joint.rest_matrix)
+      (*joint.rest_matrix)[3] = glm::dvec4(Vec3((*joint.rest_matrix)[3]) * factor, 1);
   }
   for (Skin& skin : changed.skins) {
     for (Mat4& matrix : skin.inverse_bind) matrix[3] = glm::dvec4(Vec3(matrix[3]) * factor, 1);

@@ -83,9 +83,9 @@ TEST_P(Rigs, LimbsAreThoseWrittenByHandAndFitTheirClips) {
     if (expected.empty()) {
       EXPECT_EQ(limb, nullptr) << limb_id(kind);
       const std::string start = std::string(limb_id(kind)) + " not found: ";
-      const auto reason = std::find_if(
-          findings_.warnings.begin(), findings_.warnings.end(),
-          [&](const std::string& warning) { return warning.rfind(start, 0) == 0; });
+      const auto reason =
+          std::find_if(findings_.warnings.begin(), findings_.warnings.end(),
+                       [&](const std::string& warning) { return warning.rfind(start, 0) == 0; });
       ASSERT_NE(reason, findings_.warnings.end()) << "absence needs a reason";
       std::printf("  %-9s none, as expected: %s\n", limb_id(kind),
                   reason->substr(start.size()).c_str());
@@ -259,7 +259,8 @@ TEST_P(Rigs, SizeAndPlacementDontMatter) {
         const Dofs q = solved(guise.model, *y, share, there);
         EXPECT_EQ(here, there);
         for (int k = 0; here && there && k < p.count; ++k)
-          EXPECT_NEAR(p[k], q[k], kSame) << "IK, " << x->space.dofs[static_cast<std::size_t>(k)].name;
+          EXPECT_NEAR(p[k], q[k], kSame)
+              << "IK, " << x->space.dofs[static_cast<std::size_t>(k)].name;
       }
     }
   }

@@ -179,7 +179,8 @@ TEST(GraspFrame, SaysWhyItCannotBeTold) {
   const LimbModel limb = test::fit(body, LimbKind::left_arm);
   BoundFigure figure = bound_figure(body.model, body.character());
   GraspEvidence evidence{figure, limb.limb};
-  figure.globals[static_cast<std::size_t>(limb.limb.end)] = Mat4(std::numeric_limits<double>::quiet_NaN());
+  figure.globals[static_cast<std::size_t>(limb.limb.end)] =
+      Mat4(std::numeric_limits<double>::quiet_NaN());
   const auto broken = fit_grasp_frame(evidence);
   ASSERT_FALSE(broken.ok());
   EXPECT_NE(broken.error().what.find("palm"), std::string::npos);

@@ -99,11 +99,28 @@ TEST(BoneNames, AreReadWhateverTheHabit) {
 }
 
 TEST(BoneNames, HelpersAreToldApart) {
-  for (const char* name :
-       {"upperarm_twist_01_l", "CC_Base_L_ForearmTwist01", "CC_Base_L_ElbowShareBone", "handIK.l",
-        "IK-foot.l", "kneeIK.r", "LeftFootCtrl", "control-heel-roll.l", "PoleTarget.L", "PT.L",
-        "r-LEGCONTROL", "l-ARMORIENT", "handslot.l", "LeftForeArmRoll", "MCH-upper_arm.L", "LeftArm_$AssimpFbx$_Rotation",
-        "左足ＩＫ", "左腕捩", "右手捩1", "腰キャンセル左", "L_UpperarmTwist01", "lForearmTwist"}) {
+  for (const char* name : {"upperarm_twist_01_l",
+                           "CC_Base_L_ForearmTwist01",
+                           "CC_Base_L_ElbowShareBone",
+                           "handIK.l",
+                           "IK-foot.l",
+                           "kneeIK.r",
+                           "LeftFootCtrl",
+                           "control-heel-roll.l",
+                           "PoleTarget.L",
+                           "PT.L",
+                           "r-LEGCONTROL",
+                           "l-ARMORIENT",
+                           "handslot.l",
+                           "LeftForeArmRoll",
+                           "MCH-upper_arm.L",
+                           "LeftArm_$AssimpFbx$_Rotation",
+                           "左足ＩＫ",
+                           "左腕捩",
+                           "右手捩1",
+                           "腰キャンセル左",
+                           "L_UpperarmTwist01",
+                           "lForearmTwist"}) {
     EXPECT_TRUE(read_bone_name(name).helper) << name;
   }
 }

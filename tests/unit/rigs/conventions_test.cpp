@@ -80,9 +80,9 @@ TEST(RigHabits, AMirrorMakesTheOtherSide) {
   for (const Convention& convention : conventions()) {
     SCOPED_TRACE(convention.name);
     // Without names the left limb is on the body's left, which is the other one under a mirror.
-    expect_limbs(convention,
-                 make_rig(convention, {45 * kDegree, 0, 0}, {Vec3(-1, 1, 1), Quat(1, 0, 0, 0)}, true),
-                 true);
+    expect_limbs(
+        convention,
+        make_rig(convention, {45 * kDegree, 0, 0}, {Vec3(-1, 1, 1), Quat(1, 0, 0, 0)}, true), true);
   }
 }
 

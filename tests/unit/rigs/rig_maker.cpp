@@ -15,13 +15,13 @@ Vec3 turned(const Vec3& p, const Vec3& about, const Vec3& axis, double angle) {
 // A body 1.75 m tall in the T-pose, y up, facing +z; left side. Limbs' places move with the stance.
 Vec3 place_of(const std::string& name, double side, const Stance& stance) {
   static const std::map<std::string, Vec3> trunk = {
-      {"ground", {0, 0, 0}},        {"hips", {0, 0.98, 0}},      {"spine1", {0, 1.08, -0.01}},
-      {"spine2", {0, 1.2, -0.02}},  {"chest", {0, 1.32, -0.02}}, {"neck", {0, 1.5, -0.01}},
-      {"head", {0, 1.58, 0.01}},    {"head_end", {0, 1.75, 0}},  {"hair1", {0.06, 1.7, -0.08}},
-      {"hair2", {0.1, 1.5, -0.12}}, {"hair3", {0.12, 1.3, -0.12}}, {"hair4", {0.13, 1.1, -0.12}},
+      {"ground", {0, 0, 0}},          {"hips", {0, 0.98, 0}},        {"spine1", {0, 1.08, -0.01}},
+      {"spine2", {0, 1.2, -0.02}},    {"chest", {0, 1.32, -0.02}},   {"neck", {0, 1.5, -0.01}},
+      {"head", {0, 1.58, 0.01}},      {"head_end", {0, 1.75, 0}},    {"hair1", {0.06, 1.7, -0.08}},
+      {"hair2", {0.1, 1.5, -0.12}},   {"hair3", {0.12, 1.3, -0.12}}, {"hair4", {0.13, 1.1, -0.12}},
       {"skirt1", {0.15, 0.95, 0.05}}, {"skirt2", {0.2, 0.75, 0.08}}, {"skirt3", {0.24, 0.55, 0.1}},
-      {"eye", {0.03, 1.66, 0.09}},  {"breast", {0.08, 1.3, 0.1}}, {"pole", {0.3, 1.2, -0.5}},
-      {"knee_pole", {0.1, 0.5, 0.6}}, {"ear", {0.05, 1.75, 0}},  {"ear_end", {0.07, 1.95, 0}}};
+      {"eye", {0.03, 1.66, 0.09}},    {"breast", {0.08, 1.3, 0.1}},  {"pole", {0.3, 1.2, -0.5}},
+      {"knee_pole", {0.1, 0.5, 0.6}}, {"ear", {0.05, 1.75, 0}},      {"ear_end", {0.07, 1.95, 0}}};
   static const std::map<std::string, Vec3> arm = {
       {"clavicle", {0.03, 1.43, 0}},       {"shoulder", {0.18, 1.43, -0.01}},
       {"upper_mid", {0.32, 1.43, -0.015}}, {"elbow", {0.46, 1.43, -0.02}},
@@ -34,9 +34,11 @@ Vec3 place_of(const std::string& name, double side, const Stance& stance) {
       {"pinky2", {0.82, 1.42, -0.05}},     {"thumb1", {0.735, 1.42, 0.02}},
       {"thumb2", {0.765, 1.415, 0.045}},   {"thumb3", {0.785, 1.41, 0.06}}};
   static const std::map<std::string, Vec3> leg = {
-      {"hip_helper", {0.06, 0.95, 0}}, {"hip", {0.1, 0.93, 0}},     {"thigh_mid", {0.1, 0.71, 0.01}},
-      {"knee", {0.1, 0.49, 0.02}},     {"shin_mid", {0.1, 0.285, 0}}, {"ankle", {0.1, 0.08, -0.02}},
-      {"ball", {0.1, 0.02, 0.11}},     {"toe", {0.1, 0.02, 0.18}},  {"heel", {0.1, 0.01, -0.06}}};
+      {"hip_helper", {0.06, 0.95, 0}},  {"hip", {0.1, 0.93, 0}},
+      {"thigh_mid", {0.1, 0.71, 0.01}}, {"knee", {0.1, 0.49, 0.02}},
+      {"shin_mid", {0.1, 0.285, 0}},    {"ankle", {0.1, 0.08, -0.02}},
+      {"ball", {0.1, 0.02, 0.11}},      {"toe", {0.1, 0.02, 0.18}},
+      {"heel", {0.1, 0.01, -0.06}}};
   Vec3 p(0.0);
   if (const auto found = trunk.find(name); found != trunk.end()) {
     p = found->second;
@@ -81,8 +83,8 @@ MadeRig make_rig(const Convention& convention, const Stance& stance, const Place
   Model& model = rig.model;
   Skeleton& skeleton = model.skeleton;
   Random random(7);
-  const Quat data_from_body = placement.z_up ? glm::angleAxis(kPi / 2, Vec3(1, 0, 0))
-                                             : Quat(1, 0, 0, 0);
+  const Quat data_from_body =
+      placement.z_up ? glm::angleAxis(kPi / 2, Vec3(1, 0, 0)) : Quat(1, 0, 0, 0);
   Joint root;
   root.name = "Scene";
   root.rest.scale = placement.scale;
