@@ -17,7 +17,13 @@ Json limb_json(const Model& model, const Limb& limb) {
   Json joints = Json::array();
   for (const int joint : limb.joints)
     joints.push_back(model.skeleton.joints[static_cast<std::size_t>(joint)].name);
-  return {{"joints", joints}, {"why", limb.why}};
+  const auto name = [&](int joint) {
+    return model.skeleton.joints[static_cast<std::size_t>(joint)].name;
+  };
+  Json beside = Json::array();
+  for (const int joint : limb.beside) beside.push_back(name(joint));
+  return {{"joints", joints},      {"root", name(limb.root)}, {"middle", name(limb.middle)},
+          {"end", name(limb.end)}, {"beside", beside},        {"why", limb.why}};
 }
 
 void print_text(const Model& model, const Json& info) {
@@ -32,6 +38,12 @@ void print_text(const Model& model, const Json& info) {
         joints += (joints.empty() ? "" : " > ") + joint.get<std::string>();
       std::printf("  %-10s %s\n             %s\n", name.c_str(), joints.c_str(),
                   limb["why"].get<std::string>().c_str());
+      if (limb.contains("flexion_axis"))
+        std::printf("             bends by %s; %d DOFs\n",
+                    limb["flexion_axis"].get<std::string>().c_str(), limb["dofs"].get<int>());
+      if (limb.contains("notes"))
+        for (const auto& note : limb["notes"])
+          std::printf("             %s\n", note.get<std::string>().c_str());
     }
   }
   for (const auto& object : info["objects"])
@@ -74,6 +86,9 @@ int run_info(const InfoOptions& options) {
         continue;
       }
       limbs[limb.name]["flexion_axis"] = fitted->flexion_axis_from;
+      limbs[limb.name]["dofs"] = fitted->dof_count();
+      limbs[limb.name]["notes"] = fitted->notes;
+      limbs[limb.name]["grasp"] = fitted->grasp ? fitted->grasp->from : fitted->grasp.error().what;
     }
     for (const auto& warning : findings.warnings)
       warnings.push_back(character.name + ": " + warning);

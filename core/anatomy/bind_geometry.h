@@ -36,10 +36,4 @@ bool is_skin_joint(const Character& character, int joint);
 // hangs below it.
 bool moves_something(const Model& model, const Character& character, int joint);
 
-// Centre of what lies beyond a joint as seen from it: of the children's origins, else of the
-// vertices that follow the joint most; relative to the joint. Nothing if there is neither.
-// Cost: O(children), else O(vertices).
-std::optional<Vec3> extremity(const Model& model, const Character& character,
-                              const std::vector<Mat4>& globals, int joint);
-
 }  // namespace elbowroom

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Limbs by names, and where names are numbers, by hierarchy and bone lengths.
+// Whose word counts about which joints are a limb: the animator's, then the file's own (VRM), then
+// the joints' names, then the figure's shape.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -7,410 +8,279 @@
 #include "core/anatomy/bind_geometry.h"
 #include "core/anatomy/body_axes.h"
 #include "core/anatomy/limb.h"
-#include "core/anatomy/limb_names.h"
+#include "core/anatomy/limb_joints.h"
+#include "core/anatomy/named_limbs.h"
+#include "core/anatomy/shaped_limbs.h"
 
 namespace elbowroom {
 namespace {
 
-// The names of one family of limbs, from the root to the end.
-struct Family {
-  bool arm;
-  BonePart upper, plain, fore, end, weak;
-  const char* upper_word;
-  const char* fore_word;
-  const char* end_word;
-};
-constexpr std::array<Family, 2> kFamilies = {
-    Family{true, BonePart::upper_arm, BonePart::arm, BonePart::forearm, BonePart::hand,
-           BonePart::shoulder, "upper arm", "forearm", "hand"},
-    Family{false, BonePart::thigh, BonePart::leg, BonePart::shin, BonePart::foot, BonePart::hip,
-           "thigh", "shin", "foot"}};
+constexpr std::array<LimbKind, 4> kKinds = {LimbKind::left_arm, LimbKind::right_arm,
+                                            LimbKind::left_leg, LimbKind::right_leg};
+// How clearly feet, knees and elbows must say that a figure of unknown sides looks the other way.
+constexpr double kTurned = -0.25;
 
-struct Candidate {
-  int joint = -1;
-  BonePart part = BonePart::none;
-  bool exact = false;  // every word of the name is known
-  bool skin = false;
-};
+std::size_t slot(LimbKind kind) { return static_cast<std::size_t>(kind); }
 
-struct Finder {
-  const Model& model;
-  const Character& character;
-  std::vector<Mat4> globals;
-  std::vector<int> members;     // nodes that could be joints of the character, parents first
-  std::vector<BoneName> names;  // by node
-  LimbFindings findings;
+class Finder {
+ public:
+  Finder(const Model& model, const Character& character, const LimbOverrides& overrides)
+      : model_(model),
+        character_(character),
+        overrides_(overrides),
+        figure_(bound_figure(model, character)) {
+    reasons_.fill("no joint says so");
+  }
 
-  const std::string& name(int joint) const {
-    return model.skeleton.joints[static_cast<std::size_t>(joint)].name;
+  LimbFindings find() {
+    collect_members();
+    take_overrides();
+    take_file();
+    take_names();
+    take_shapes();
+    settle_sides();
+    LimbFindings findings;
+    for (const LimbKind kind : kKinds) {
+      if (found_[slot(kind)]) {
+        findings.limbs.push_back(*found_[slot(kind)]);
+        for (const std::string& warning : limb_warnings_[slot(kind)])
+          findings.warnings.push_back(std::string(limb_id(kind)) + ": " + warning);
+      } else {
+        findings.warnings.push_back(std::string(limb_id(kind)) +
+                                    " not found: " + reasons_[slot(kind)]);
+      }
+    }
+    for (const Limb& chain : chains_) findings.limbs.push_back(chain);
+    for (const std::string& warning : warnings_) findings.warnings.push_back(warning);
+    if (find_body_axes(figure_, findings.limbs).mirrored_names) {
+      findings.warnings.push_back(
+          "left and right seem swapped in the joints' names: the figure is mirrored, or feet, "
+          "knees "
+          "and elbows face the other way; limbs are called as the names have it");
+    }
+    return findings;
   }
-  std::string quoted(int joint) const {
-    const std::string& text = name(joint);
-    return text.empty() ? "node " + std::to_string(joint) : "'" + text + "'";
-  }
-  double distance(int a, int b) const {
-    return glm::distance(origin(globals, a), origin(globals, b));
-  }
-  bool below(int joint, int ancestor) const {
-    return joint != ancestor && model.skeleton.is_within(joint, ancestor);
-  }
-};
 
-struct Chain {
-  int root = -1, middle = -1, end = -1;
-  std::string remark;  // what is unusual, for `why`
-};
+ private:
+  std::string quoted(int joint) const { return quoted_joint(model_, joint); }
 
-void collect_members(Finder& finder) {
-  const Skeleton& skeleton = finder.model.skeleton;
-  std::vector<bool> mesh_node(skeleton.joints.size(), false);
-  for (const Mesh& mesh : finder.model.meshes) {
-    if (mesh.node >= 0) mesh_node[static_cast<std::size_t>(mesh.node)] = true;
-  }
   // Joints of a skin, and what stands between or below them but plain meshes.
-  std::vector<bool> within(skeleton.joints.size(), false);
-  std::vector<std::string> names;
-  for (const int joint : skeleton.order) {
-    const auto j = static_cast<std::size_t>(joint);
-    const int parent = skeleton.joints[j].parent;
-    const bool skin = is_skin_joint(finder.character, joint);
-    within[j] = skin || (parent >= 0 && within[static_cast<std::size_t>(parent)] && !mesh_node[j]);
-    if (!within[j]) continue;
-    finder.members.push_back(joint);
-    names.push_back(skeleton.joints[j].name);
+  void collect_members() {
+    const Skeleton& skeleton = model_.skeleton;
+    std::vector<char> mesh_node(skeleton.joints.size(), 0), within(skeleton.joints.size(), 0);
+    for (const Mesh& mesh : model_.meshes) {
+      if (mesh.node >= 0) mesh_node[static_cast<std::size_t>(mesh.node)] = 1;
+    }
+    for (const int joint : skeleton.order) {
+      const auto j = static_cast<std::size_t>(joint);
+      const int parent = skeleton.joints[j].parent;
+      const bool below = parent >= 0 && within[static_cast<std::size_t>(parent)] && !mesh_node[j];
+      if (!is_skin_joint(character_, joint) && !below) continue;
+      within[j] = 1;
+      members_.push_back(joint);
+    }
   }
-  const std::set<std::string> habit = common_words(names);
-  finder.names.resize(skeleton.joints.size());
-  for (const int joint : finder.members) {
-    finder.names[static_cast<std::size_t>(joint)] =
-        read_bone_name(skeleton.joints[static_cast<std::size_t>(joint)].name, habit);
-  }
-}
 
-bool of_family(const Family& family, BonePart part) {
-  return part == family.upper || part == family.plain || part == family.fore ||
-         part == family.end || part == family.weak;
-}
-
-// The joints of one family on one side. Of each part exact names push out names with words we don't
-// know, and joints of a skin push out plain nodes.
-std::vector<Candidate> candidates_of(const Finder& finder, const Family& family, BoneSide side,
-                                     const std::vector<BoneSide>& sides) {
-  std::vector<Candidate> all;
-  for (const int joint : finder.members) {
-    const auto j = static_cast<std::size_t>(joint);
-    const BoneName& name = finder.names[j];
-    if (sides[j] != side || name.helper || name.end_marker || !of_family(family, name.part)) {
-      continue;
-    }
-    all.push_back({joint, name.part, name.unknown.empty(), is_skin_joint(finder.character, joint)});
-  }
-  // What a bare "arm" or "leg" means: the lower one below an upper one, the upper one above a lower
-  // one ("Leg" is the shin where there is an "UpLeg").
-  std::vector<Candidate> resolved = all;
-  for (Candidate& candidate : resolved) {
-    if (candidate.part != family.plain) continue;
-    bool has_upper = false, has_fore = false;
-    for (const Candidate& other : all) {
-      if (other.part == family.upper && finder.below(candidate.joint, other.joint)) {
-        has_upper = true;
-      }
-      if (other.part == family.fore && finder.below(other.joint, candidate.joint)) has_fore = true;
-    }
-    if (has_upper && !has_fore) candidate.part = family.fore;
-    if (has_fore && !has_upper) candidate.part = family.upper;
-  }
-  std::vector<Candidate> kept;
-  for (const Candidate& candidate : resolved) {
-    const bool outdone = std::any_of(resolved.begin(), resolved.end(), [&](const Candidate& other) {
-      if (other.part != candidate.part) return false;
-      return (other.exact && !candidate.exact) ||
-             (other.exact == candidate.exact && other.skin && !candidate.skin);
-    });
-    if (!outdone) kept.push_back(candidate);
-  }
-  return kept;
-}
-
-int descendants(const Finder& finder, int joint) {
-  return static_cast<int>(std::count_if(finder.members.begin(), finder.members.end(),
-                                        [&](int m) { return finder.below(m, joint); }));
-}
-
-// Nearest below `from` with the wanted part; of equally near ones that with most below it, then the
-// first. `several` tells of the others.
-int nearest_below(const Finder& finder, const std::vector<Candidate>& candidates, BonePart part,
-                  int from, bool& several) {
-  const Skeleton& skeleton = finder.model.skeleton;
-  int best = -1, best_depth = 0, best_weight = 0;
-  several = false;
-  for (const Candidate& candidate : candidates) {
-    if (candidate.part != part || !finder.below(candidate.joint, from)) continue;
-    int depth = 0;
-    for (int j = candidate.joint; j != from;
-         j = skeleton.joints[static_cast<std::size_t>(j)].parent) {
-      ++depth;
-    }
-    const int weight = descendants(finder, candidate.joint);
-    if (best >= 0 && depth == best_depth) several = true;
-    if (best < 0 || depth < best_depth || (depth == best_depth && weight > best_weight)) {
-      if (best < 0 || depth < best_depth) several = false;
-      best = candidate.joint;
-      best_depth = depth;
-      best_weight = weight;
-    }
-  }
-  return best;
-}
-
-// The end of a limb that names none: the child of the forearm or shin that carries most, at a fair
-// distance.
-int unnamed_end(const Finder& finder, const Family& family, int root, int fore) {
-  int best = -1, best_weight = -1;
-  const double least = 0.2 * finder.distance(root, fore);
-  for (const int joint : finder.members) {
-    const auto j = static_cast<std::size_t>(joint);
-    if (finder.model.skeleton.joints[j].parent != fore) continue;
-    const BoneName& name = finder.names[j];
-    const bool closes = name.end_marker || name.part == BonePart::none ||
-                        name.part == BonePart::finger || name.part == BonePart::toe ||
-                        name.part == family.fore;
-    if (name.helper || !closes || !(finder.distance(fore, joint) >= least)) continue;
-    const int weight = descendants(finder, joint);
-    if (weight > best_weight) {
-      best = joint;
-      best_weight = weight;
-    }
-  }
-  return best;
-}
-
-// The root above a forearm or shin: the topmost joint named an upper arm, else the topmost plain
-// "arm", else the nearest "shoulder" (some habits call the upper arm so, with a collar above).
-int root_above(const Finder& finder, const Family& family, const std::vector<Candidate>& candidates,
-               int fore) {
-  for (const BonePart part : {family.upper, family.plain, family.weak}) {
-    int found = -1;
-    for (const Candidate& candidate : candidates) {  // parents first
-      if (candidate.part != part || !finder.below(fore, candidate.joint)) continue;
-      if (found < 0 || part == family.weak) found = candidate.joint;
-    }
-    if (found >= 0) return found;
-  }
-  return -1;
-}
-
-// Limbs whose joints bear one name and a number ("arm_joint_L_1", "Leg02"): of the chain they form,
-// with a named end if there is one, the three joints with the longest two bones between them.
-std::optional<Chain> numbered_chain(const Finder& finder, const Family& family,
-                                    const std::vector<Candidate>& candidates) {
-  std::vector<int> best;
-  int best_end = -1;
-  for (const Candidate& last : candidates) {
-    if (last.part != family.plain && last.part != family.upper && last.part != family.fore)
-      continue;
-    std::vector<int> chain;
-    for (const Candidate& other : candidates) {
-      if (other.part != family.end && other.part != family.weak &&
-          (other.joint == last.joint || finder.below(last.joint, other.joint))) {
-        chain.push_back(other.joint);
-      }
-    }
-    bool several = false;
-    const int end = nearest_below(finder, candidates, family.end, last.joint, several);
-    const auto better = [](bool end_a, std::size_t a, bool end_b, std::size_t b) {
-      return end_a != end_b ? end_a : a > b;
-    };
-    if (best.empty() || better(end >= 0, chain.size(), best_end >= 0, best.size())) {
-      best = chain;
-      best_end = end;
-    }
-  }
-  if (best_end >= 0) best.push_back(best_end);
-  if (best.size() < 3) return std::nullopt;
-  Chain found;
-  double longest = -1;
-  for (std::size_t i = 0; i + 2 < best.size(); ++i) {
-    // A named end stays the end.
-    const std::size_t last = best_end >= 0 ? best.size() - 1 : i + 2;
-    for (std::size_t m = i + 1; m < last; ++m) {
-      const double a = finder.distance(best[i], best[m]);
-      const double b = finder.distance(best[m], best[last]);
-      const double score = best_end >= 0 ? std::min(a, b) : a + b;
-      if (score > longest) {
-        longest = score;
-        found = {best[i], best[m], best[last], ""};
-      }
-    }
-  }
-  found.remark = "of the joints so named, those with the longest two bones between them";
-  return found;
-}
-
-std::optional<Chain> named_chain(const Finder& finder, const Family& family,
-                                 const std::vector<Candidate>& candidates, std::string& reason) {
-  std::optional<Chain> best;
-  int best_score = -1;
-  for (const Candidate& fore : candidates) {
-    if (fore.part != family.fore) continue;
-    const bool topmost =
-        std::none_of(candidates.begin(), candidates.end(), [&](const Candidate& other) {
-          return other.part == family.fore && finder.below(fore.joint, other.joint);
-        });
-    if (!topmost) continue;
-    Chain chain;
-    chain.middle = fore.joint;
-    chain.root = root_above(finder, family, candidates, fore.joint);
-    if (chain.root < 0) {
-      if (!best) {
-        reason =
-            "above " + finder.quoted(fore.joint) + " no joint is named as the " + family.upper_word;
-      }
-      continue;
-    }
-    bool several = false;
-    chain.end = nearest_below(finder, candidates, family.end, fore.joint, several);
-    int score = 4;
-    if (chain.end < 0) {
-      chain.end = unnamed_end(finder, family, chain.root, fore.joint);
-      score = 2;
-      if (chain.end < 0) {
-        if (!best) {
-          reason = std::string("below ") + finder.quoted(fore.joint) + " is no joint for the " +
-                   family.end_word;
-        }
+  void take_overrides() {
+    for (const auto& [name, joints] : overrides_) {
+      const auto limb = limb_between(model_, character_, name, joints);
+      if (!limb) {
+        warnings_.push_back(name + ", as it was set by hand, is not there: " + limb.error().what);
         continue;
       }
-      chain.remark = std::string("no joint below the ") + family.fore_word + " is named as the " +
-                     family.end_word + ", " + finder.quoted(chain.end) + " is nearest to one";
-    } else if (several) {
-      chain.remark = "the " + std::string(family.end_word) + " is of several joints, " +
-                     finder.quoted(chain.end) + " stands for them";
-    }
-    if (fore.skin) ++score;
-    if (score > best_score) {
-      best = chain;
-      best_score = score;
+      if (limb->kind == LimbKind::chain) {
+        chains_.push_back(*limb);
+      } else {
+        found_[slot(limb->kind)] = *limb;
+      }
     }
   }
-  return best;
-}
 
-// Sides by position for families whose names tell none.
-std::vector<BoneSide> sides_of(const Finder& finder, std::array<bool, 2>& by_position) {
-  std::vector<BoneSide> sides(finder.names.size(), BoneSide::none);
-  for (const int joint : finder.members) {
-    sides[static_cast<std::size_t>(joint)] = finder.names[static_cast<std::size_t>(joint)].side;
+  // The bones that the file itself names (VRM).
+  void take_file() {
+    const std::array<std::array<const char*, 3>, 4> bones = {{
+        {"leftUpperArm", "leftLowerArm", "leftHand"},
+        {"rightUpperArm", "rightLowerArm", "rightHand"},
+        {"leftUpperLeg", "leftLowerLeg", "leftFoot"},
+        {"rightUpperLeg", "rightLowerLeg", "rightFoot"},
+    }};
+    for (const LimbKind kind : kKinds) {
+      std::array<int, 3> joints = {-1, -1, -1};
+      for (const HumanBone& bone : model_.human_bones) {
+        for (std::size_t i = 0; i < 3; ++i) {
+          if (bone.bone == bones[slot(kind)][i] && joints[i] < 0) joints[i] = bone.node;
+        }
+      }
+      if (found_[slot(kind)] || joints[0] < 0 || joints[1] < 0 || joints[2] < 0) continue;
+      if (!is_chain(joints[0], joints[1], joints[2])) {
+        limb_warnings_[slot(kind)].push_back(
+            "the file's own humanoid bones for it are no chain of joints (" + quoted(joints[0]) +
+            ", " + quoted(joints[1]) + ", " + quoted(joints[2]) + ") and are passed over");
+        continue;
+      }
+      put(kind, joints[0], joints[1], joints[2],
+          std::string("the file's own humanoid bones: ") + bones[slot(kind)][0] + " is " +
+              quoted(joints[0]) + ", " + bones[slot(kind)][1] + " " + quoted(joints[1]) + ", " +
+              bones[slot(kind)][2] + " " + quoted(joints[2]));
+    }
   }
-  double middle = 0, low = INFINITY, high = -INFINITY;
-  for (const int joint : finder.character.joints) {
-    const double x = origin(finder.globals, joint).x;
-    low = std::min(low, x);
-    high = std::max(high, x);
-    middle += x;
+
+  void take_names() {
+    const std::array<NamedLimb, 4> named = find_named_limbs(figure_, members_);
+    for (const LimbKind kind : kKinds) {
+      const NamedLimb& limb = named[slot(kind)];
+      if (found_[slot(kind)]) continue;
+      if (limb.root < 0) {
+        reasons_[slot(kind)] = limb.why;
+        continue;
+      }
+      put(kind, limb.root, limb.middle, limb.end, limb.why);
+      for (const std::string& warning : limb.warnings)
+        limb_warnings_[slot(kind)].push_back(warning);
+      unsure_[slot(kind)] = limb.side_by_place;
+      found_[slot(kind)]->named_side = !limb.side_by_place;
+    }
   }
-  middle /= std::max<double>(1.0, static_cast<double>(finder.character.joints.size()));
-  for (std::size_t f = 0; f < kFamilies.size(); ++f) {
-    const Family& family = kFamilies[f];
-    by_position[f] = std::none_of(finder.members.begin(), finder.members.end(), [&](int joint) {
-      const BoneName& name = finder.names[static_cast<std::size_t>(joint)];
-      return name.side != BoneSide::none && of_family(family, name.part);
+
+  void take_shapes() {
+    if (std::all_of(found_.begin(), found_.end(), [](const auto& limb) { return !!limb; })) return;
+    const ShapedLimbs shaped = find_shaped_limbs(figure_, members_);
+    take_pair(shaped.arms, LimbKind::left_arm, LimbKind::right_arm, shaped.no_arms);
+    take_pair(shaped.legs, LimbKind::left_leg, LimbKind::right_leg, shaped.no_legs);
+  }
+
+  void take_pair(const std::optional<ShapedPair>& pair, LimbKind left, LimbKind right,
+                 const std::string& none) {
+    if (!pair) {
+      for (const LimbKind kind : {left, right}) {
+        if (!found_[slot(kind)]) reasons_[slot(kind)] += "; by shape: " + none;
+      }
+      return;
+    }
+    std::array<bool, 2> taken = {overlaps((*pair)[0]), overlaps((*pair)[1])};
+    if (!found_[slot(left)] && !found_[slot(right)]) {
+      if (taken[0] || taken[1]) {
+        for (const LimbKind kind : {left, right})
+          reasons_[slot(kind)] += "; by shape it would be joints of another limb";
+        return;
+      }
+      const Vec3 line = figure_.place((*pair)[0].root) - figure_.place((*pair)[1].root);
+      if (left_ == Vec3(0.0)) {
+        // glTF figures face +z; one that faces along x has its left along z.
+        const bool sideways = std::abs(line.z) > std::abs(line.x);
+        left_ = (sideways ? line.z : line.x) >= 0 ? line : -line;
+      }
+      const std::size_t first = glm::dot(line, left_) >= 0 ? 0 : 1;
+      put_shape(left, (*pair)[first]);
+      put_shape(right, (*pair)[1 - first]);
+      return;
+    }
+    // One of them is known: the other of the pair is its image.
+    const LimbKind missing = found_[slot(left)] ? right : left;
+    if (found_[slot(missing)]) return;
+    if (taken[0] == taken[1]) {
+      reasons_[slot(missing)] += "; by shape no chain is the other side's image";
+      return;
+    }
+    put_shape(missing, (*pair)[taken[0] ? 1 : 0]);
+    unsure_[slot(missing)] = false;
+  }
+
+  void put_shape(LimbKind kind, const ShapedLimb& limb) {
+    put(kind, limb.root, limb.middle, limb.end,
+        "shape (its names say nothing): " + limb.why + "; root " + quoted(limb.root) + ", middle " +
+            quoted(limb.middle) + ", end " + quoted(limb.end));
+    unsure_[slot(kind)] = true;
+    found_[slot(kind)]->named_side = false;
+  }
+
+  bool overlaps(const ShapedLimb& limb) const {
+    return std::any_of(found_.begin(), found_.end(), [&](const auto& other) {
+      return other && (model_.skeleton.is_within(limb.root, other->root) ||
+                       model_.skeleton.is_within(other->root, limb.root));
     });
-    if (!by_position[f]) continue;
-    for (const int joint : finder.members) {
-      const auto j = static_cast<std::size_t>(joint);
-      if (!of_family(family, finder.names[j].part)) continue;
-      const double x = origin(finder.globals, joint).x - middle;
-      if (std::abs(x) < 0.01 * (high - low)) continue;
-      sides[j] = x > 0 ? BoneSide::left : BoneSide::right;
+  }
+
+  // Sides that nothing told were taken as facing +z. Where others are sure, theirs count; else
+  // feet, knees and elbows show which way the figure looks.
+  void settle_sides() {
+    std::vector<Limb> sure, all;
+    for (const LimbKind kind : kKinds) {
+      if (!found_[slot(kind)]) continue;
+      all.push_back(*found_[slot(kind)]);
+      if (!unsure_[slot(kind)]) sure.push_back(*found_[slot(kind)]);
+    }
+    if (sure.size() == all.size()) return;
+    const BodyFindings by_sure = find_body_axes(figure_, sure);
+    bool turned = false;
+    if (!by_sure.paired) {
+      const BodyFindings by_all = find_body_axes(figure_, all);
+      turned = by_all.mirrored_names ||
+               looks_along(figure_, all, by_all.axes.up, by_all.axes.forward) < kTurned;
+    }
+    for (const auto& [left, right] : {std::pair(LimbKind::left_arm, LimbKind::right_arm),
+                                      std::pair(LimbKind::left_leg, LimbKind::right_leg)}) {
+      if (!unsure_[slot(left)] && !unsure_[slot(right)]) continue;
+      bool swap = turned;
+      if (by_sure.paired && found_[slot(left)] && found_[slot(right)]) {
+        const Vec3 line =
+            figure_.place(found_[slot(left)]->root) - figure_.place(found_[slot(right)]->root);
+        swap = glm::dot(line, by_sure.axes.left) < 0;
+      }
+      if (swap) {
+        std::swap(found_[slot(left)], found_[slot(right)]);
+        std::swap(limb_warnings_[slot(left)], limb_warnings_[slot(right)]);
+        std::swap(reasons_[slot(left)], reasons_[slot(right)]);
+      }
+      for (const LimbKind kind : {left, right}) {
+        if (!found_[slot(kind)]) continue;
+        found_[slot(kind)]->kind = kind;
+        found_[slot(kind)]->name = limb_id(kind);
+        found_[slot(kind)]->why += by_sure.paired ? "; the side by the other limbs'"
+                                   : turned ? "; the side by where feet, knees and elbows look"
+                                            : "; the side by where it stands, facing +z";
+      }
     }
   }
-  return sides;
-}
 
-Limb make_limb(const Finder& finder, const Family& family, LimbKind kind, const Chain& chain,
-               bool by_position) {
-  Limb limb;
-  limb.kind = kind;
-  limb.name = limb_id(kind);
-  limb.root = chain.root;
-  limb.middle = chain.middle;
-  limb.end = chain.end;
-  std::string driven;
-  for (int j = chain.end; j >= 0;
-       j = finder.model.skeleton.joints[static_cast<std::size_t>(j)].parent) {
-    limb.joints.insert(limb.joints.begin(), j);
-    if (j == chain.root) break;
-    if (j != chain.middle && j != chain.end)
-      driven = finder.quoted(j) + (driven.empty() ? "" : ", ") + driven;
-  }
-  limb.why = "names: " + std::string(family.upper_word) + " " + finder.quoted(chain.root) + ", " +
-             family.fore_word + " " + finder.quoted(chain.middle) + ", " + family.end_word + " " +
-             finder.quoted(chain.end) + ", each below the last";
-  if (!driven.empty()) limb.why += "; driven between them: " + driven;
-  if (!chain.remark.empty()) limb.why += "; " + chain.remark;
-  if (by_position) limb.why += "; the side by where it stands, facing +z";
-  return limb;
-}
-
-// A hand or foot that does not hang from its limb, or nothing.
-int detached_end(const Finder& finder, const Family& family,
-                 const std::vector<Candidate>& candidates, const Chain& chain) {
-  for (const Candidate& candidate : candidates) {
-    if (candidate.part == family.end && !finder.below(candidate.joint, chain.root)) {
-      return candidate.joint;
+  bool is_chain(int root, int middle, int end) const {
+    const int count = model_.skeleton.size();
+    for (const int joint : {root, middle, end}) {
+      if (joint < 0 || joint >= count) return false;
     }
+    const double upper = glm::distance(figure_.place(root), figure_.place(middle));
+    const double lower = glm::distance(figure_.place(middle), figure_.place(end));
+    const double least = 1e-6 * std::max(character_.height, upper + lower);
+    return root != middle && middle != end && model_.skeleton.is_within(middle, root) &&
+           model_.skeleton.is_within(end, middle) && upper > least && lower > least;
   }
-  return -1;
-}
 
-void find_one(Finder& finder, const Family& family, LimbKind kind,
-              const std::vector<BoneSide>& sides, bool by_position) {
-  const std::string id = limb_id(kind);
-  const bool left = kind == LimbKind::left_arm || kind == LimbKind::left_leg;
-  const std::vector<Candidate> candidates =
-      candidates_of(finder, family, left ? BoneSide::left : BoneSide::right, sides);
-  auto& warnings = finder.findings.warnings;
-  std::string reason =
-      std::string("no joint is named as ") + (family.arm ? "an arm" : "a leg") + " of that side";
-  if (!candidates.empty()) {
-    reason = "the joints named like one do not form a chain of three (" +
-             finder.quoted(candidates.front().joint) + ")";
+  void put(LimbKind kind, int root, int middle, int end, const std::string& why) {
+    Limb limb;
+    limb.kind = kind;
+    limb.name = limb_id(kind);
+    limb.root = root;
+    limb.middle = middle;
+    limb.end = end;
+    limb.why = why;
+    complete_limb(figure_, limb);
+    limb.named_side = true;
+    found_[slot(kind)] = limb;
   }
-  // The search below tries pairs of names; a body has a few, a hostile file may have thousands.
-  constexpr std::size_t kMostNames = 200;
-  if (candidates.size() > kMostNames) {
-    warnings.push_back(id + " not found: " + std::to_string(candidates.size()) +
-                       " joints are named like it");
-    return;
-  }
-  std::optional<Chain> chain = named_chain(finder, family, candidates, reason);
-  if (!chain) chain = numbered_chain(finder, family, candidates);
-  if (!chain) {
-    warnings.push_back(id + " not found: " + reason);
-    return;
-  }
-  const double upper = finder.distance(chain->root, chain->middle);
-  const double fore = finder.distance(chain->middle, chain->end);
-  const double least = 1e-6 * std::max(finder.character.height, upper + fore);
-  if (!(upper > least) || !(fore > least)) {
-    warnings.push_back(id + " not found: " + finder.quoted(chain->root) + ", " +
-                       finder.quoted(chain->middle) + " and " + finder.quoted(chain->end) +
-                       " lie in one place");
-    return;
-  }
-  const int detached = detached_end(finder, family, candidates, *chain);
-  if (detached >= 0) {
-    const Joint& node = finder.model.skeleton.joints[static_cast<std::size_t>(detached)];
-    const std::string what = finder.quoted(detached) + " hangs " +
-                             (node.parent < 0 ? "free" : "from " + finder.quoted(node.parent)) +
-                             ", not from the limb, and will not follow it";
-    if (!chain->remark.empty()) chain->remark += "; ";
-    chain->remark += what;
-    warnings.push_back(id + ": " + what);
-  }
-  finder.findings.limbs.push_back(make_limb(finder, family, kind, *chain, by_position));
-}
+
+  const Model& model_;
+  const Character& character_;
+  const LimbOverrides& overrides_;
+  BoundFigure figure_;
+  std::vector<int> members_;
+  std::array<std::optional<Limb>, 4> found_;
+  std::array<bool, 4> unsure_{};  // which side it is on was guessed
+  std::array<std::string, 4> reasons_;
+  std::array<std::vector<std::string>, 4> limb_warnings_;
+  Vec3 left_{0.0};            // of pairs found by shape, for the time being; none: not chosen
+  std::vector<Limb> chains_;  // set by hand
+  std::vector<std::string> warnings_;
+};
 
 }  // namespace
 
@@ -430,24 +300,9 @@ const char* limb_id(LimbKind kind) {
   return "chain";
 }
 
-LimbFindings find_limbs(const Model& model, const Character& character) {
-  Finder finder{model, character, bind_globals(model, character), {}, {}, {}};
-  collect_members(finder);
-  std::array<bool, 2> by_position{};
-  const std::vector<BoneSide> sides = sides_of(finder, by_position);
-  for (const LimbKind kind :
-       {LimbKind::left_arm, LimbKind::right_arm, LimbKind::left_leg, LimbKind::right_leg}) {
-    const bool arm = kind == LimbKind::left_arm || kind == LimbKind::right_arm;
-    find_one(finder, kFamilies[arm ? 0 : 1], kind, sides, by_position[arm ? 0 : 1]);
-  }
-
-  const BodyFindings body = find_body_axes(model, character, finder.globals, finder.findings.limbs);
-  if (body.mirrored_names) {
-    finder.findings.warnings.push_back(
-        "left and right seem swapped in the joints' names: feet, knees and elbows face the other "
-        "way; limbs are called as the names have it");
-  }
-  return finder.findings;
+LimbFindings find_limbs(const Model& model, const Character& character,
+                        const LimbOverrides& overrides) {
+  return Finder(model, character, overrides).find();
 }
 
 }  // namespace elbowroom

@@ -14,7 +14,6 @@
 #include "core/anatomy/body_axes.h"
 #include "core/anatomy/flexion_axis.h"
 #include "core/anatomy/limb_model.h"
-#include "core/anatomy/limb_names.h"
 #include "core/anatomy/limits.h"
 
 namespace elbowroom {
@@ -42,10 +41,11 @@ struct ParentSpace {
 };
 
 struct Rig {
+  const BoundFigure& figure;
   const Model& model;
   const Character& character;
   const Limb& limb;
-  std::vector<Mat4> globals;
+  const std::vector<Mat4>& globals;
   BodyAxes body;
   Vec3 outward;  // world
   double side;   // +1 on the body's left
@@ -140,22 +140,38 @@ void promote_if_needed(const std::vector<Quat>& rotations, const std::string& na
   joint.kind = JointModelKind::ball;
 }
 
+// Other joints at the end's own place, which turning it would leave behind.
+bool shares_its_place(const Rig& rig, double lower_length) {
+  const int end = rig.limb.end;
+  const int parent = rig.joint(end).parent;
+  if (parent < 0) return false;
+  const auto& siblings = rig.model.skeleton.children[static_cast<std::size_t>(parent)];
+  return std::any_of(siblings.begin(), siblings.end(), [&](int other) {
+    return other != end && is_skin_joint(rig.character, other) &&
+           glm::distance(origin(rig.globals, other), origin(rig.globals, end)) <
+               0.02 * lower_length;
+  });
+}
+
 // Radial side of the hand: from its other fingers to its thumb, world; nothing without a thumb.
 // Some rigs have no hand: thumb and palm bones then stand beside the joint that stands for it.
 std::optional<Vec3> thumb_side(const Rig& rig, int hand) {
-  const auto& children = rig.model.skeleton.children;
-  for (const int above : {hand, rig.joint(hand).parent}) {
-    if (above < 0) continue;
-    Vec3 thumb(0.0), others(0.0);
-    int thumbs = 0, fingers = 0;
-    for (const int child : children[static_cast<std::size_t>(above)]) {
-      const BoneName read = read_bone_name(rig.joint(child).name);
-      if (read.helper || !is_skin_joint(rig.character, child)) continue;
-      (read.thumb ? thumb : others) += origin(rig.globals, child);
-      ++(read.thumb ? thumbs : fingers);
+  const Vec3 wrist = origin(rig.globals, hand);
+  const int parent = rig.joint(hand).parent;
+  const Vec3 lower = parent < 0 ? Vec3(0.0) : wrist - origin(rig.globals, parent);
+  std::vector<int> beside;
+  if (parent >= 0 && shares_its_place(rig, glm::length(lower))) {
+    for (const int child : rig.figure.children(parent)) {
+      if (is_skin_joint(rig.character, child) && rig.figure.carries(child)) beside.push_back(child);
     }
-    if (thumbs == 0 || fingers == 0) continue;
-    return direction(thumb / static_cast<double>(thumbs) - others / static_cast<double>(fingers));
+  }
+  for (const std::vector<int>& branches : {branches_below(rig.figure, hand, false), beside}) {
+    const Digits digits = digits_of(rig.figure, branches, wrist, lower);
+    if (digits.thumb < 0 || digits.fingers.empty()) continue;
+    Vec3 others(0.0);
+    for (const int finger : digits.fingers) others += origin(rig.globals, finger);
+    return direction(origin(rig.globals, digits.thumb) -
+                     others / static_cast<double>(digits.fingers.size()));
   }
   return std::nullopt;
 }
@@ -287,19 +303,6 @@ bool rotated_by_a_clip(const Model& model, int joint) {
   });
 }
 
-// Other joints at the end's own place, which turning it would leave behind.
-bool shares_its_place(const Rig& rig, double lower_length) {
-  const int end = rig.limb.end;
-  const int parent = rig.joint(end).parent;
-  if (parent < 0) return false;
-  const auto& siblings = rig.model.skeleton.children[static_cast<std::size_t>(parent)];
-  return std::any_of(siblings.begin(), siblings.end(), [&](int other) {
-    return other != end && is_skin_joint(rig.character, other) &&
-           glm::distance(origin(rig.globals, other), origin(rig.globals, end)) <
-               0.02 * lower_length;
-  });
-}
-
 // Twist of a swing's rotations that leaves the least residual in the median: of the observed twists
 // the one with the least sum of distances, coarse to fine.
 double central_twist(const JointModel& joint, const std::vector<Quat>& rotations) {
@@ -356,7 +359,7 @@ Result<Done> fit_end(const Rig& rig, LimbModel& fitted, const Vec3& lower, doubl
   joint.side = rig.side * space->mirror;
   const Quat bound = bound_rotation(rig, index);
 
-  const std::optional<Vec3> beyond = extremity(rig.model, rig.character, rig.globals, index);
+  const std::optional<Vec3> beyond = extremity(rig.figure, index, rig.limb.is_arm());
   const bool leg = rig.limb.kind == LimbKind::left_leg || rig.limb.kind == LimbKind::right_leg;
   std::optional<Quat> zero, frame;
   if (leg) {
@@ -440,8 +443,9 @@ Result<LimbModel> fit_limb_model(const Model& model, const Character& character,
                    model.path.filename().string(), "find the limb anew"};
     }
   }
-  Rig rig{model, character, limb, bind_globals(model, character), {}, Vec3(1, 0, 0), 1};
-  rig.body = find_body_axes(model, character, rig.globals, findings.limbs).axes;
+  const BoundFigure figure = bound_figure(model, character);
+  Rig rig{figure, model, character, limb, figure.globals, {}, Vec3(1, 0, 0), 1};
+  rig.body = find_body_axes(figure, findings.limbs).axes;
   for (const int joint : {limb.root, limb.middle}) {
     if (rig.joint(joint).rest_matrix) {
       return Error{"the joint is placed by a matrix and cannot be animated", rig.where(joint),
@@ -485,8 +489,8 @@ Result<LimbModel> fit_limb_model(const Model& model, const Character& character,
 
   const std::array<LimbJointRole, 3> roles = {LimbJointRole::root, LimbJointRole::middle,
                                               LimbJointRole::end};
-  fitted.grasp = fit_grasp_frame({model, character, limb, rig.globals, rig.side, -rig.body.up,
-                                  *lower, rig.side * glm::cross(*lower, middle->bound_y),
+  fitted.grasp = fit_grasp_frame({figure, limb, rig.side, -rig.body.up, *lower,
+                                  rig.side * glm::cross(*lower, middle->bound_y),
                                   fitted.joints[2].kind == JointModelKind::fixed});
   for (std::size_t i = 0; i < 3; ++i) {
     JointModel& joint = fitted.joints[i];
@@ -502,6 +506,7 @@ Result<LimbModel> fit_limb_model(const Model& model, const Character& character,
       fitted.driven.push_back({joint, serves});
     }
   }
+  for (const int joint : limb.beside) fitted.driven.push_back({joint, rig.joint(joint).parent});
   return fitted;
 }
 

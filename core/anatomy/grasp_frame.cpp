@@ -143,29 +143,28 @@ std::optional<Facing> by_skin(const GraspEvidence& e, const HandParts& hand, con
 Result<GraspFrame> fit_grasp_frame(const GraspEvidence& e) {
   const bool leg = e.limb.kind == LimbKind::left_leg || e.limb.kind == LimbKind::right_leg;
   const std::string part = leg ? "sole" : "palm";
-  const std::string where = e.model.path.filename().string() + ", joint '" +
-                            e.model.skeleton.joints[static_cast<std::size_t>(e.limb.end)].name +
-                            "'";
+  const std::string where =
+      e.figure.model.path.filename().string() + ", joint '" +
+      e.figure.model.skeleton.joints[static_cast<std::size_t>(e.limb.end)].name + "'";
   const auto unknown = [&](const std::string& why) {
     return Error{"the " + part + " cannot be told: " + why, where, "aim the end joint itself"};
   };
-  const Mat4& global = e.globals[static_cast<std::size_t>(e.limb.end)];
+  const Mat4& global = e.figure.globals[static_cast<std::size_t>(e.limb.end)];
   const Mat3 world_from_joint(global);
   const Mat3 joint_from_world = glm::inverse(world_from_joint);
   for (int c = 0; c < 3; ++c) {
     if (!finite(joint_from_world[c])) return unknown("the joint has no size");
   }
 
-  const HandParts hand =
-      hand_parts(e.model, e.character, e.globals, e.limb.end, leg, e.end_is_fixed);
-  const Vec3 wrist = origin(e.globals, e.limb.end);
+  const HandParts hand = hand_parts(e.figure, e.limb.end, leg, e.end_is_fixed);
+  const Vec3 wrist = origin(e.figure.globals, e.limb.end);
   const auto skin_middle = middle_of(hand.all);
   Vec3 middle, along;
   std::string x_from;
   if (!hand.finger_roots.empty() && direction(mean_of(hand.finger_roots) - wrist)) {
     along = mean_of(hand.finger_roots) - wrist;
     middle = wrist + 0.5 * along;
-    x_from = leg ? "toe joints" : hand.by_name ? "finger joints" : "the joints beyond the wrist";
+    x_from = leg ? "toe joints" : "finger joints";
   } else if (skin_middle && direction(*skin_middle - wrist)) {
     middle = *skin_middle;
     along = 2.0 * (middle - wrist);

@@ -10,7 +10,7 @@
 //   z        x × y, seen in the world
 //
 // Derivation, all in the bind pose:
-//  * Finger roots: of each finger's chain (by names, else the branches below the wrist, of which
+//  * Finger roots: of each finger's chain (the branches below the wrist that carry skin, of which
 //    one that stands off is the thumb) the first joint that is not a metacarpal, which is to say at
 //    a third of the way to the chain's end or beyond. Without fingers the middle is that of the
 //    skin which follows the wrist and what is below it, and x leads there.
@@ -30,6 +30,7 @@
 #include <string>
 #include <vector>
 
+#include "core/anatomy/bound_figure.h"
 #include "core/anatomy/limb.h"
 #include "core/base/result.h"
 
@@ -45,15 +46,13 @@ struct GraspFrame {
 
 // What the fit of the joint models knows besides.
 struct GraspEvidence {
-  const Model& model;
-  const Character& character;
+  const BoundFigure& figure;
   const Limb& limb;
-  const std::vector<Mat4>& globals;  // the bind pose
-  double side = 1;                   // +1 on the body's left
-  Vec3 down{0, -1, 0};               // the body's, world, unit
-  Vec3 lower{1, 0, 0};               // along the forearm (shin), world, unit
-  Vec3 palm{0, -1, 0};               // where the joint models have the palm, world
-  bool end_is_fixed = false;         // joints beside the end may be the hand's
+  double side = 1;            // +1 on the body's left
+  Vec3 down{0, -1, 0};        // the body's, world, unit
+  Vec3 lower{1, 0, 0};        // along the forearm (shin), world, unit
+  Vec3 palm{0, -1, 0};        // where the joint models have the palm, world
+  bool end_is_fixed = false;  // joints beside the end may be the hand's
 };
 
 // Error: an end without size, or with neither skin nor joints beyond it; for people.

@@ -6,40 +6,47 @@
 #include <numeric>
 
 #include "core/anatomy/bind_geometry.h"
-#include "core/anatomy/limb_names.h"
 
 namespace elbowroom {
 namespace {
 
-constexpr double kRootFrom = 1.0 / 3;         // of the way to a chain's end: nearer is a metacarpal
-constexpr double kThumbOff = 25 * kPi / 180;  // from the mean of the other branches
+constexpr double kRootFrom = 1.0 / 3;  // of the way to a chain's end: nearer is a metacarpal
+constexpr double kNearEnd = 0.4;  // of the lower bone: joints beside the end that are the hand's
+constexpr double kBehind = 0.15;  // of the lower bone, behind the end
 
 // What a joint is to the hand. Whatever is below a thumb or a finger is of it.
 enum class Role : char { none, palm, finger, thumb };
 
 class Finder {
  public:
-  Finder(const Model& model, const Character& character, const std::vector<Mat4>& globals, int end,
-         bool foot)
-      : model_(model), character_(character), globals_(globals), end_(end), foot_(foot) {
-    roles_.assign(model.skeleton.joints.size(), Role::none);
+  Finder(const BoundFigure& figure, int end, bool foot)
+      : figure_(figure),
+        model_(figure.model),
+        character_(figure.character),
+        globals_(figure.globals),
+        end_(end),
+        foot_(foot) {
+    roles_.assign(model_.skeleton.joints.size(), Role::none);
   }
 
   HandParts find(bool with_siblings) {
     mark(end_, Role::palm);
-    roots_.push_back(end_);
-    if (with_siblings) add_siblings();
-    for (const int root : roots_) collect_named(root);
-    parts_.by_name = !fingers_.empty();
-    if (fingers_.empty() && thumbs_.empty()) collect_branches();
-    for (const int finger : fingers_) {
+    std::vector<int> branches;
+    if (with_siblings) branches = siblings();
+    if (branches.empty()) branches = branches_below(figure_, end_, foot_);
+    const int parent = figure_.parent(end_);
+    const Vec3 wrist = origin(globals_, end_);
+    const Vec3 lower = parent < 0 ? Vec3(0.0) : wrist - origin(globals_, parent);
+    Digits digits{branches, -1};
+    if (!foot_) digits = digits_of(figure_, branches, wrist, lower);
+    for (const int finger : digits.fingers) {
       const int knuckle = knuckle_of(finger);
       parts_.finger_roots.push_back(origin(globals_, knuckle));
       if (!foot_) mark(knuckle, Role::finger);
     }
-    for (const int thumb : thumbs_) {
-      parts_.thumb_roots.push_back(origin(globals_, thumb));
-      mark(thumb, Role::thumb);
+    if (digits.thumb >= 0) {
+      parts_.thumb_roots.push_back(origin(globals_, digits.thumb));
+      mark(digits.thumb, Role::thumb);
     }
     collect_skin();
     return std::move(parts_);
@@ -49,97 +56,36 @@ class Finder {
   const std::vector<int>& children(int joint) const {
     return model_.skeleton.children[static_cast<std::size_t>(joint)];
   }
-  BoneName name_of(int joint) const {
-    return read_bone_name(model_.skeleton.joints[static_cast<std::size_t>(joint)].name);
-  }
-
   void mark(int joint, Role role) {
     for (int other = 0; other < model_.skeleton.size(); ++other) {
       if (model_.skeleton.is_within(other, joint)) roles_[static_cast<std::size_t>(other)] = role;
     }
   }
 
-  void add_siblings() {
-    const int parent = model_.skeleton.joints[static_cast<std::size_t>(end_)].parent;
-    if (parent < 0) return;
+  // Joints beside the end that are the hand's too, the end with them, where it branches no further
+  // down than there; empty without any.
+  std::vector<int> siblings() {
+    const int parent = figure_.parent(end_);
+    if (parent < 0) return {};
     const double reach = glm::distance(origin(globals_, end_), origin(globals_, parent));
-    for (const int other : children(parent)) {
-      if (other == end_ || !is_skin_joint(character_, other)) continue;
-      const BoneName name = name_of(other);
-      const bool beside =
-          glm::distance(origin(globals_, other), origin(globals_, end_)) < 0.02 * reach;
-      if (name.helper || (name.part != BonePart::finger && !beside)) continue;
-      mark(other, Role::palm);
-      roots_.push_back(other);
-    }
-  }
-
-  void collect_named(int joint) {
-    const BoneName name = name_of(joint);
-    const bool skin = is_skin_joint(character_, joint);
-    if (joint != end_ && name.helper) return;
-    if (skin && name.part == (foot_ ? BonePart::toe : BonePart::finger) && !name.end_marker &&
-        joint != end_) {
-      (name.thumb ? thumbs_ : fingers_).push_back(joint);
-      return;
-    }
-    for (const int child : children(joint)) collect_named(child);
-  }
-
-  // No name tells: the branches below the end; one that stands off from the rest is the thumb.
-  void collect_branches() {
-    int joint = end_;
-    std::vector<int> branches;
-    for (int depth = 0; depth < 3 && branches.size() < 2; ++depth) {
-      branches.clear();
-      for (const int child : children(joint)) {
-        if (is_skin_joint(character_, child) && !name_of(child).helper &&
-            direction(origin(globals_, child) - origin(globals_, end_)))
-          branches.push_back(child);
+    std::vector<int> found;
+    for (const int other : figure_.children(parent)) {
+      if (!is_skin_joint(character_, other) || !figure_.carries(other)) continue;
+      const Vec3 off = origin(globals_, other) - origin(globals_, end_);
+      const double ahead = glm::dot(off, origin(globals_, end_) - origin(globals_, parent)) / reach;
+      // What stands behind the wrist is a twist joint of the forearm.
+      if (other != end_ && !(glm::length(off) < kNearEnd * reach && ahead > -kBehind * reach)) {
+        continue;
       }
-      if (branches.size() != 1) break;
-      joint = branches.front();
+      if (other != end_) mark(other, Role::palm);
+      found.push_back(other);
     }
-    if (branches.size() < 2) return;
-    if (!foot_ && branches.size() >= 3) {
-      double most = kThumbOff;
-      std::size_t thumb = branches.size();
-      for (std::size_t i = 0; i < branches.size(); ++i) {
-        Vec3 others(0.0);
-        for (std::size_t j = 0; j < branches.size(); ++j)
-          if (j != i) others += *direction(tip_of(branches[j]) - origin(globals_, end_));
-        const auto rest = direction(others);
-        const auto own = direction(tip_of(branches[i]) - origin(globals_, end_));
-        if (!rest || !own) continue;
-        const double off = std::acos(std::clamp(glm::dot(*rest, *own), -1.0, 1.0));
-        if (off > most) {
-          most = off;
-          thumb = i;
-        }
-      }
-      if (thumb < branches.size()) {
-        thumbs_.push_back(branches[thumb]);
-        branches.erase(branches.begin() + static_cast<std::ptrdiff_t>(thumb));
-      }
-    }
-    fingers_ = branches;
-  }
-
-  // Origin of the joint farthest from the end below (and with) `joint`.
-  Vec3 tip_of(int joint) const {
-    Vec3 tip = origin(globals_, joint);
-    const Vec3 from = origin(globals_, end_);
-    for (int other = 0; other < model_.skeleton.size(); ++other) {
-      if (!model_.skeleton.is_within(other, joint) || !is_skin_joint(character_, other)) continue;
-      const Vec3 place = origin(globals_, other);
-      if (glm::distance(place, from) > glm::distance(tip, from)) tip = place;
-    }
-    return tip;
+    return found.size() >= 2 ? found : std::vector<int>{};
   }
 
   int knuckle_of(int finger) const {
     const Vec3 from = origin(globals_, end_);
-    const double whole = glm::distance(tip_of(finger), from);
+    const double whole = glm::distance(tip_below(figure_, finger, from), from);
     int joint = finger;
     while (!(glm::distance(origin(globals_, joint), from) >= kRootFrom * whole)) {
       const auto& below = children(joint);
@@ -243,21 +189,20 @@ class Finder {
     return result;
   }
 
+  const BoundFigure& figure_;
   const Model& model_;
   const Character& character_;
   const std::vector<Mat4>& globals_;
   int end_;
   bool foot_;
   std::vector<Role> roles_;  // by joint
-  std::vector<int> roots_, fingers_, thumbs_;
-  HandParts parts_, held_;  // held: what may be held by the hand
+  HandParts parts_, held_;   // held: what may be held by the hand
 };
 
 }  // namespace
 
-HandParts hand_parts(const Model& model, const Character& character,
-                     const std::vector<Mat4>& globals, int end, bool foot, bool with_siblings) {
-  return Finder(model, character, globals, end, foot).find(with_siblings);
+HandParts hand_parts(const BoundFigure& figure, int end, bool foot, bool with_siblings) {
+  return Finder(figure, end, foot).find(with_siblings);
 }
 
 std::vector<WeightedPoint> weighted_points(const HandSkin& skin) {

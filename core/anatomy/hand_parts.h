@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/scene/model.h"
+#include "core/anatomy/bound_figure.h"
 
 namespace elbowroom {
 
@@ -18,7 +18,6 @@ struct HandSkin {
 struct HandParts {
   std::vector<Vec3> finger_roots;  // knuckles; of a foot the toes' roots; thumb apart
   std::vector<Vec3> thumb_roots;
-  bool by_name = false;  // fingers were told by their names
   // With fingers and thumb. Pieces of surface that are not connected with the rest of the body and
   // go farther than a lower bone's length (a weapon skinned to the hand) count only where there is
   // nothing else.
@@ -26,11 +25,10 @@ struct HandParts {
   HandSkin palm;  // of the joints that are no finger beyond its root and no thumb
 };
 
-// Of the joint `end` and what is below it. `with_siblings`: joints beside it that are fingers by
-// name, or stand in its place, are the hand's too: for rigs that have no wrist of their own.
+// Of the joint `end` and what is below it. `with_siblings`: joints beside it that stand near it are
+// the hand's too: for rigs that have no wrist of their own.
 // Cost: O(joints), and O(vertices) of the meshes that follow the hand.
-HandParts hand_parts(const Model& model, const Character& character,
-                     const std::vector<Mat4>& globals, int end, bool foot, bool with_siblings);
+HandParts hand_parts(const BoundFigure& figure, int end, bool foot, bool with_siblings);
 
 struct WeightedPoint {
   Vec3 place{0.0};

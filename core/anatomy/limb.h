@@ -2,10 +2,14 @@
 // Which joints of a character are its arms and legs, and why we think so.
 //
 // A limb is an open linkage from its root (shoulder, hip) over its middle (elbow, knee) to its end
-// (wrist, ankle). Between them may stand twist or helper joints: driven joints, which keep their
-// clip relation to the limb joint they serve.
+// (wrist, ankle). Between and beside them may stand twist or helper joints: driven joints, which
+// keep their clip relation to the limb joint they serve.
+//
+// Whose word counts: the animator's own, then the file's (VRM's humanoid bones), then the joints'
+// names, then the figure's shape (core/anatomy/shaped_limbs.h).
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,8 +26,10 @@ struct Limb {
   LimbKind kind = LimbKind::chain;
   std::string name;         // limb_id, or FROM..TO for a chain
   std::vector<int> joints;  // node indices, root to end, driven ones between them included
+  std::vector<int> beside;  // twist joints that hang from root or middle and lie along its bone
   int root = -1, middle = -1, end = -1;  // shoulder/hip, elbow/knee, wrist/ankle
   std::string why;                       // what the finding rests on, for people
+  bool named_side = false;               // the file or its names say which side it is on
 
   bool is_arm() const { return kind == LimbKind::left_arm || kind == LimbKind::right_arm; }
   bool is_left() const { return kind == LimbKind::left_arm || kind == LimbKind::left_leg; }
@@ -35,14 +41,32 @@ struct LimbFindings {
                                       // odd about those found
 };
 
-// Finds arms and legs by names, then hierarchy: a limb's joints stand one below the other. Never
-// fails; what isn't found is absent, with a warning. A few milliseconds at most.
-LimbFindings find_limbs(const Model& model, const Character& character);
+// What an animator says that a limb goes from and to, by joint names (or node indices): of an arm
+// or leg by its limb_id, or of a chain by any name. Without a middle the joint that leaves the most
+// equal bones is taken.
+struct LimbJoints {
+  std::string from, middle, to;
+  bool operator==(const LimbJoints&) const = default;
+};
+using LimbOverrides = std::map<std::string, LimbJoints>;
 
-// The limb named on a command line: left_arm, ..., or FROM..TO by joint names (exact, or by node
-// index). Of a chain that is not one of the limbs found, the middle is the joint that bends most
-// like a hinge: see the code. Error: no such limb or joint, with what there is.
-Result<Limb> limb_by_name(const Model& model, const Character& character, const std::string& name);
+// Finds arms and legs; a limb's joints stand one below the other. Never fails; what isn't found is
+// absent, with a warning that says why. Overrides come first; one that cannot be is a warning.
+// Cost: O(nodes + vertices), some milliseconds.
+LimbFindings find_limbs(const Model& model, const Character& character,
+                        const LimbOverrides& overrides = {});
+
+// The limb named on a command line: left_arm, ..., the name of an override, or FROM..TO by joint
+// names (exact, or by node index). Of a chain that is not one of the limbs found, the middle is the
+// joint that bends most like a hinge: see the code. Error: no such limb or joint, with what there
+// is.
+Result<Limb> limb_by_name(const Model& model, const Character& character, const std::string& name,
+                          const LimbOverrides& overrides = {});
+
+// The limb of that name between joints named; of the kind that the name says, else a chain. Error:
+// no such joints, or no chain between them.
+Result<Limb> limb_between(const Model& model, const Character& character, const std::string& name,
+                          const LimbJoints& joints);
 
 // The body's own axes at the bind pose, the file's space, unit, right-handed: up (along legs and
 // trunk), left (right limb roots to left ones, or the other way where feet and knees say that the

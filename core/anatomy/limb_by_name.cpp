@@ -3,7 +3,10 @@
 #include <cctype>
 
 #include "core/anatomy/bind_geometry.h"
+#include "core/anatomy/bound_figure.h"
 #include "core/anatomy/limb.h"
+#include "core/anatomy/limb_joints.h"
+#include "core/anatomy/named_limbs.h"
 
 namespace elbowroom {
 namespace {
@@ -75,11 +78,69 @@ int middle_of(const std::vector<Mat4>& globals, const std::vector<int>& joints) 
   return best;
 }
 
+LimbKind kind_named(const std::string& name) {
+  for (const LimbKind kind :
+       {LimbKind::left_arm, LimbKind::right_arm, LimbKind::left_leg, LimbKind::right_leg}) {
+    if (name == limb_id(kind)) return kind;
+  }
+  return LimbKind::chain;
+}
+
 }  // namespace
 
-Result<Limb> limb_by_name(const Model& model, const Character& character, const std::string& name) {
+Result<Limb> limb_between(const Model& model, const Character& character, const std::string& name,
+                          const LimbJoints& joints) {
   const std::string file = model.path.filename().string();
-  const LimbFindings findings = find_limbs(model, character);
+  const auto missing = [&](const std::string& text) {
+    return Error{"no joint '" + text + "'", file, "joints: " + joints_like(model, character, text)};
+  };
+  const int root = joint_named(model, character, joints.from);
+  if (root < 0) return missing(joints.from);
+  const int end = joint_named(model, character, joints.to);
+  if (end < 0) return missing(joints.to);
+  if (root == end || !model.skeleton.is_within(end, root)) {
+    return Error{"'" + joints.to + "' is not below '" + joints.from + "'", file,
+                 "a chain goes from a joint to one below it"};
+  }
+  Limb limb;
+  limb.kind = kind_named(name);
+  limb.name = name;
+  limb.root = root;
+  limb.end = end;
+  const BoundFigure figure = bound_figure(model, character);
+  std::vector<int> path;
+  for (int j = end;; j = figure.parent(j)) {
+    path.insert(path.begin(), j);
+    if (j == root) break;
+  }
+  limb.why = "named; its middle is ";
+  if (joints.middle.empty()) {
+    limb.middle = middle_of(figure.globals, path);
+    if (limb.middle < 0) {
+      return Error{
+          "between '" + joints.from + "' and '" + joints.to + "' is no joint that could bend", file,
+          "a chain needs at least three joints in three places"};
+    }
+    limb.why += quoted_joint(model, limb.middle) + ", which leaves the most equal bones";
+  } else {
+    limb.middle = joint_named(model, character, joints.middle);
+    if (limb.middle < 0) return missing(joints.middle);
+    if (limb.middle == root || limb.middle == end ||
+        std::find(path.begin(), path.end(), limb.middle) == path.end()) {
+      return Error{
+          "'" + joints.middle + "' is not between '" + joints.from + "' and '" + joints.to + "'",
+          file, "name a joint of the chain"};
+    }
+    limb.why += quoted_joint(model, limb.middle) + ", as named";
+  }
+  complete_limb(figure, limb);
+  return limb;
+}
+
+Result<Limb> limb_by_name(const Model& model, const Character& character, const std::string& name,
+                          const LimbOverrides& overrides) {
+  const std::string file = model.path.filename().string();
+  const LimbFindings findings = find_limbs(model, character, overrides);
   std::string found;
   for (const Limb& limb : findings.limbs) {
     if (limb.name == name) return limb;
@@ -110,31 +171,10 @@ Result<Limb> limb_by_name(const Model& model, const Character& character, const 
     if (joint >= 0) continue;
     return Error{"no joint '" + text + "'", file, "joints: " + joints_like(model, character, text)};
   }
-  if (root == end || !model.skeleton.is_within(end, root)) {
-    return Error{"'" + to + "' is not below '" + from + "'", file,
-                 "a chain goes from a joint to one below it"};
-  }
   for (const Limb& limb : findings.limbs) {
     if (limb.root == root && limb.end == end) return limb;
   }
-  Limb limb;
-  limb.kind = LimbKind::chain;
-  limb.name = name;
-  limb.root = root;
-  limb.end = end;
-  for (int j = end;; j = model.skeleton.joints[static_cast<std::size_t>(j)].parent) {
-    limb.joints.insert(limb.joints.begin(), j);
-    if (j == root) break;
-  }
-  limb.middle = middle_of(bind_globals(model, character), limb.joints);
-  if (limb.middle < 0) {
-    return Error{"between '" + from + "' and '" + to + "' is no joint that could bend", file,
-                 "a chain needs at least three joints in three places"};
-  }
-  limb.why = "named; its middle is '" +
-             model.skeleton.joints[static_cast<std::size_t>(limb.middle)].name +
-             "', which leaves the most equal bones";
-  return limb;
+  return limb_between(model, character, name, {from, "", to});
 }
 
 }  // namespace elbowroom

@@ -31,8 +31,8 @@
 
 namespace elbowroom {
 
-// A joint between the limb's own (a twist or helper bone): its local rotation relative to what the
-// clip has is kept.
+// A joint between or beside the limb's own (a twist or helper bone): its local rotation relative to
+// what the clip has is kept.
 struct DrivenJoint {
   int joint = -1;
   int serves = -1;  // node index of the limb joint it follows

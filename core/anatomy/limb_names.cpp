@@ -10,7 +10,7 @@
 namespace elbowroom {
 namespace {
 
-enum class Word { side_left, side_right, part, finger, toe, helper, end_marker, noise };
+enum class Word { side_left, side_right, part, finger, toe, helper, copy, end_marker, noise };
 
 const std::map<std::string, Word, std::less<>>& vocabulary() {
   static const std::map<std::string, Word, std::less<>> words = [] {
@@ -21,25 +21,47 @@ const std::map<std::string, Word, std::less<>>& vocabulary() {
     add(Word::side_left, {"left"});
     add(Word::side_right, {"right"});
     add(Word::part,
-        {"upper",   "up",      "upr",      "lower", "low",      "lo",     "lwr",    "fore",
-         "arm",     "arms",    "leg",      "legs",  "hand",     "wrist",  "elbow",  "thigh",
-         "shin",    "calf",    "knee",     "foot",  "feet",     "ankle",  "bicep",  "biceps",
-         "femur",   "tibia",   "shoulder", "shldr", "clavicle", "clav",   "collar", "collarbone",
-         "scapula", "humerus", "ulna",     "hip",   "hips",     "pelvis", "palm"});
+        {"upper",   "up",      "upr",      "lower",  "low",      "lo",     "lwr",    "fore",
+         "arm",     "arms",    "leg",      "legs",   "hand",     "wrist",  "elbow",  "thigh",
+         "shin",    "calf",    "knee",     "foot",   "feet",     "ankle",  "bicep",  "biceps",
+         "femur",   "tibia",   "shoulder", "shldr",  "clavicle", "clav",   "collar", "collarbone",
+         "scapula", "humerus", "ulna",     "hip",    "hips",     "pelvis", "palm",   "radius",
+         "fibula",  "down",    "dn",       "forearm"});
+    // German, French, Spanish, Italian, Portuguese.
+    add(Word::part,
+        {"oberarm",     "unterarm",    "ellenbogen", "handgelenk", "oberschenkel", "unterschenkel",
+         "knie",        "fuss",        "knoechel",   "bras",       "avantbras",    "coude",
+         "poignet",     "cuisse",      "jambe",      "genou",      "cheville",     "pied",
+         "brazo",       "antebrazo",   "codo",       "mano",       "muneca",       "muslo",
+         "pierna",      "pantorrilla", "rodilla",    "pie",        "tobillo",      "braccio",
+         "avambraccio", "gomito",      "polso",      "coscia",     "gamba",        "ginocchio",
+         "piede",       "caviglia",    "braco",      "antebraco",  "cotovelo",     "coxa",
+         "perna",       "joelho",      "tornozelo"});
+    add(Word::side_left, {"links", "linker", "linkes", "linke", "gauche", "izquierda", "izquierdo",
+                          "izq", "sinistra", "sinistro", "esquerda", "esquerdo", "hidari"});
+    add(Word::side_right, {"rechts", "rechter", "rechtes", "rechte", "droite", "droit", "derecha",
+                           "derecho", "destra", "destro", "direita", "direito", "migi"});
+    add(Word::finger, {"daumen", "pouce", "pulgar", "pollice", "polegar", "doigt", "dedo"});
     add(Word::finger, {"finger", "fingers", "thumb", "index", "middle", "ring", "pinky", "pinkie",
                        "little", "metacarpal", "carpal", "knuckle"});
     add(Word::toe, {"toe", "toes", "toebase", "ball", "heel"});
     add(Word::helper,
-        {"ik",     "fk",     "ctrl",    "ctl",        "control", "controller", "cntrl",    "pole",
-         "target", "orient", "twist",   "roll",       "helper",  "tweak",      "effector", "eff",
-         "socket", "attach", "slot",    "prop",       "weapon",  "mch",        "org",      "pv",
-         "pt",     "aux",    "aim",     "goal",       "locator", "hint",       "handle",   "driver",
-         "jiggle", "muscle", "tracker", "corrective", "share"});
+        {"ik",       "fk",     "ctrl",   "ctl",    "control", "controller", "cntrl",
+         "pole",     "target", "orient", "twist",  "roll",    "helper",     "tweak",
+         "effector", "eff",    "socket", "attach", "slot",    "prop",       "weapon",
+         "mch",      "pv",     "pt",     "aux",    "aim",     "goal",       "locator",
+         "hint",     "handle", "driver", "jiggle", "muscle",  "tracker",    "corrective",
+         "share",    "assimp", "dummy",  "cancel", "pivot",   "proxy",      "sleeve",
+         "skirt",    "cloth",  "armor",  "armour"});
+    add(Word::copy, {"org"});
     add(Word::end_marker, {"end", "nub", "tip"});
-    add(Word::noise, {"mixamorig", "bip",   "biped", "def", "deform",     "armature",  "skeleton",
-                      "skel",      "joint", "jnt",   "jt",  "bone",       "bn",        "bind",
-                      "skin",      "cc",    "base",  "rig", "char",       "character", "bend",
-                      "stretch",   "b",     "j",     "sk",  "valvebiped", "main"});
+    add(Word::noise,
+        {"mixamorig", "bip",   "biped",    "def",   "deform",      "armature",  "skeleton",
+         "skel",      "joint", "jnt",      "jt",    "bone",        "bn",        "bind",
+         "skin",      "cc",    "base",     "rig",   "char",        "character", "bend",
+         "stretch",   "b",     "j",        "sk",    "valvebiped",  "main",      "fbx",
+         "no",        "rot",   "rotation", "trans", "translation", "pre",       "node",
+         "o",         "mesh"});
     return map;
   }();
   return words;
@@ -58,9 +80,130 @@ bool is_lower(unsigned char c) { return std::islower(c) != 0 || c >= 0x80; }
 bool is_upper(unsigned char c) { return std::isupper(c) != 0; }
 bool is_letter(unsigned char c) { return is_lower(c) || is_upper(c); }
 
+int hex_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+// Words of the scripts that don't separate words, and of those that our tokens don't hold, with
+// what they mean; longer ones before those they contain. MikuMikuDance's own names first: 腕 is the
+// upper arm there, 足 the thigh, D bones are the ones that move the skin.
+struct Foreign {
+  const char* word;
+  const char* meaning;
+};
+constexpr Foreign kForeign[] = {
+    {"左", " left "},
+    {"右", " right "},
+    {"親指", " thumb "},
+    {"人差指", " index "},
+    {"人指", " index "},
+    {"中指", " middle "},
+    {"薬指", " ring "},
+    {"小指", " pinky "},
+    {"指", " finger "},
+    {"手首", " wrist "},
+    {"足首", " ankle "},
+    {"足先", " toe "},
+    {"つま先", " toe "},
+    {"爪先", " toe "},
+    {"腕捩", " arm twist "},
+    {"手捩", " hand twist "},
+    {"捩", " twist "},
+    {"捻", " twist "},
+    {"肩", " shoulder "},
+    {"ひじ", " elbow "},
+    {"肘", " elbow "},
+    {"ひざ", " knee "},
+    {"膝", " knee "},
+    {"前腕", " lower arm "},
+    {"上腕", " upper arm "},
+    {"腕", " upper arm "},
+    {"太もも", " thigh "},
+    {"大腿", " thigh "},
+    {"小腿", " shin "},
+    {"大臂", " upper arm "},
+    {"上臂", " upper arm "},
+    {"小臂", " lower arm "},
+    {"前臂", " lower arm "},
+    {"脚踝", " ankle "},
+    {"脚趾", " toe "},
+    {"脚", " foot "},
+    {"足", " upper leg "},
+    {"手", " hand "},
+    {"袖", " sleeve "},
+    {"親", " helper "},
+    {"ダミー", " dummy "},
+    {"キャンセル", " cancel "},
+    {"先", " end "},
+    {"\xef\xbc\xa9\xef\xbc\xab", " ik "},  // full-width letters
+    {"왼쪽", " left "},
+    {"왼", " left "},
+    {"오른쪽", " right "},
+    {"오른", " right "},
+    {"ß", "ss"},
+    {"ö", "oe"},
+    {"ç", "c"},
+    {"ñ", "n"},
+    {"ã", "a"},
+    {"é", "e"},
+    {"avant-bras", "avantbras"},
+    {"Avant-bras", "avantbras"},
+    {"Avant-Bras", "avantbras"},
+};
+
+// A name as its artist wrote it: %2E, FBXASC046 and the like are characters again, and words of
+// other scripts are ours.
+std::string plain_name(const std::string& text) {
+  std::string plain;
+  bool ascii = true;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    ascii = ascii && static_cast<unsigned char>(c) < 0x80;
+    if (c == '%' && i + 2 < text.size() && hex_digit(text[i + 1]) >= 0 &&
+        hex_digit(text[i + 2]) >= 0) {
+      const int code = 16 * hex_digit(text[i + 1]) + hex_digit(text[i + 2]);
+      plain += static_cast<char>(code);
+      ascii = ascii && code < 0x80;
+      i += 2;
+      continue;
+    }
+    constexpr std::string_view kAutodesk = "FBXASC";
+    if (c == 'F' && text.compare(i, kAutodesk.size(), kAutodesk) == 0 && i + 9 <= text.size()) {
+      int code = 0;
+      bool digits = true;
+      for (std::size_t k = i + 6; k < i + 9; ++k) {
+        digits = digits && std::isdigit(static_cast<unsigned char>(text[k])) != 0;
+        code = 10 * code + (text[k] - '0');
+      }
+      if (digits && code < 256) {
+        plain += static_cast<char>(code);
+        i += 8;
+        continue;
+      }
+    }
+    plain += c;
+  }
+  const bool french = plain.find("vant-") != std::string::npos;
+  if (ascii && !french) return plain;
+  constexpr std::size_t kLongest = 300;  // bytes; more is no name
+  if (plain.size() > kLongest) return plain;
+  for (const auto& [word, meaning] : kForeign) {
+    const std::size_t length = std::string_view(word).size();
+    for (std::size_t at = plain.find(word); at != std::string::npos; at = plain.find(word, at)) {
+      plain.replace(at, length, meaning);
+      at += std::string_view(meaning).size();
+    }
+  }
+  return plain;
+}
+
 // Lower-case words between separators, digits and capitals. A namespace (up to the last ':' or '|')
 // is dropped.
-std::vector<std::string> split(const std::string& name) {
+std::vector<std::string> split(const std::string& text) {
+  const std::string name = plain_name(text);
   const std::size_t colon = name.find_last_of(":|");
   const std::size_t start = colon == std::string::npos || colon + 1 == name.size() ? 0 : colon + 1;
   std::vector<std::string> tokens;
@@ -87,28 +230,39 @@ std::vector<std::string> split(const std::string& name) {
   return tokens;
 }
 
-// Cuts a compound such as "leftupleg" into known words, fewest first; empty if it is none.
-std::vector<std::string> cut_compound(const std::string& token) {
+// Cuts a compound such as "leftupleg" into known words, fewest first; empty if it is none. One
+// side's letter may stand between them ("bip01" lost its spaces: "biplupperarm").
+std::vector<std::string> cut_compound(const std::string& token, bool with_letter = false) {
   constexpr std::size_t kLongest = 40;
   if (token.size() > kLongest) return {};
   const auto& words = vocabulary();
-  std::vector<std::vector<std::string>> best(token.size() + 1);
-  std::vector<bool> reached(token.size() + 1, false);
-  reached[0] = true;
+  // By whether the letter is used up.
+  std::array<std::vector<std::vector<std::string>>, 2> best;
+  std::array<std::vector<char>, 2> reached;
+  for (const std::size_t used : {0u, 1u}) {
+    best[used].resize(token.size() + 1);
+    reached[used].assign(token.size() + 1, 0);
+  }
+  reached[0][0] = 1;
   for (std::size_t end = 1; end <= token.size(); ++end) {
     for (std::size_t begin = 0; begin < end; ++begin) {
-      if (!reached[begin]) continue;
       const std::string word = token.substr(begin, end - begin);
       // One letter says too little inside a compound, and a noise word proves nothing there.
-      const auto found = words.find(word);
-      if (found == words.end() || word.size() < 2) continue;
-      if (reached[end] && best[end].size() <= best[begin].size() + 1) continue;
-      best[end] = best[begin];
-      best[end].push_back(word);
-      reached[end] = true;
+      const bool known = word.size() >= 2 && words.count(word) != 0;
+      const bool letter = with_letter && (word == "l" || word == "r");
+      if (!known && !letter) continue;
+      for (const std::size_t used : {0u, 1u}) {
+        const std::size_t now = letter ? 1 : used;
+        if (!reached[used][begin] || (letter && used == 1)) continue;
+        if (reached[now][end] && best[now][end].size() <= best[used][begin].size() + 1) continue;
+        best[now][end] = best[used][begin];
+        best[now][end].push_back(word);
+        reached[now][end] = 1;
+      }
     }
   }
-  return best[token.size()];
+  if (reached[0][token.size()]) return best[0][token.size()];
+  return best[1][token.size()];
 }
 
 // The words of one token: known ones, else the token itself.
@@ -118,17 +272,9 @@ std::vector<std::string> words_of(const std::string& token) {
   if (side || vocabulary().count(token) != 0) return {token};
   std::vector<std::string> cut = cut_compound(token);
   if (!cut.empty()) return cut;
-  // A side's letter at either end: "lthigh", "upperarml".
-  if (token.size() > 3) {
-    for (const bool front : {true, false}) {
-      const std::string letter(1, front ? token.front() : token.back());
-      if (letter != "l" && letter != "r") continue;
-      cut = cut_compound(front ? token.substr(1) : token.substr(0, token.size() - 1));
-      if (cut.empty()) continue;
-      cut.push_back(letter);
-      return cut;
-    }
-  }
+  // With a side's letter: "lthigh", "upperarml", "biplupperarm".
+  if (token.size() > 3) cut = cut_compound(token, true);
+  if (cut.size() >= 2) return cut;
   return {token};
 }
 
@@ -138,18 +284,28 @@ BonePart part_of(const std::set<std::string>& has) {
                        [&](const char* word) { return has.count(word) != 0; });
   };
   const bool upper = any({"upper", "up", "upr"});
-  const bool lower = any({"lower", "low", "lo", "lwr", "fore"});
+  const bool lower = any({"lower", "low", "lo", "lwr", "fore", "down", "dn"});
   const bool arm = any({"arm", "arms"});
   const bool leg = any({"leg", "legs"});
   if (any({"clavicle", "clav", "collar", "collarbone", "scapula"})) return BonePart::clavicle;
-  if (any({"hand", "wrist", "palm"})) return BonePart::hand;
-  if (any({"foot", "feet", "ankle"})) return BonePart::foot;
-  if ((arm && lower) || any({"elbow", "ulna"})) return BonePart::forearm;
-  if ((arm && upper) || any({"bicep", "biceps", "humerus"})) return BonePart::upper_arm;
-  if ((leg && lower) || any({"shin", "calf", "knee", "tibia"})) return BonePart::shin;
-  if ((leg && upper) || any({"thigh", "femur"})) return BonePart::thigh;
-  if (arm) return BonePart::arm;
-  if (leg) return BonePart::leg;
+  if (any({"hand", "wrist", "palm", "handgelenk", "poignet", "mano", "muneca", "polso"}))
+    return BonePart::hand;
+  if (any({"foot", "feet", "ankle", "fuss", "knoechel", "pied", "cheville", "pie", "tobillo",
+           "piede", "caviglia", "tornozelo"}))
+    return BonePart::foot;
+  if ((arm && lower) ||
+      any({"forearm", "elbow", "ulna", "radius", "unterarm", "ellenbogen", "avantbras", "coude",
+           "antebrazo", "codo", "avambraccio", "gomito", "antebraco", "cotovelo"}))
+    return BonePart::forearm;
+  if ((arm && upper) || any({"bicep", "biceps", "humerus", "oberarm"})) return BonePart::upper_arm;
+  if ((leg && lower) || any({"shin", "calf", "knee", "tibia", "fibula", "unterschenkel", "knie",
+                             "genou", "pantorrilla", "rodilla", "ginocchio", "joelho"}))
+    return BonePart::shin;
+  if ((leg && upper) ||
+      any({"thigh", "femur", "oberschenkel", "cuisse", "muslo", "coscia", "coxa"}))
+    return BonePart::thigh;
+  if (arm || any({"bras", "brazo", "braccio", "braco"})) return BonePart::arm;
+  if (leg || any({"jambe", "pierna", "gamba", "perna"})) return BonePart::leg;
   if (any({"shoulder", "shldr"})) return BonePart::shoulder;
   if (any({"hip"})) return BonePart::hip;
   return BonePart::none;
@@ -193,6 +349,9 @@ BoneName read_bone_name(const std::string& name, const std::set<std::string>& ha
           break;
         case Word::helper:
           result.helper = true;
+          break;
+        case Word::copy:
+          result.copy = true;
           break;
         case Word::end_marker:
           result.end_marker = true;

@@ -2,12 +2,13 @@
 // What a joint's name says about its place in a body.
 //
 // Reads the naming habits of the common rigs (VRM, Mixamo, Unreal, Rigify, 3ds Max biped,
-// CC/iClone, DAZ, Biovision, and of artists who invent their own) without a list of whole names: a
-// name is cut into words at separators, capitals and digits, compounds are cut into known words,
-// and the words are judged. So case, separators (also missing ones), prefixes and numbers don't
-// matter.
+// CC/iClone, DAZ, CMU and Biovision, MikuMikuDance, and of artists who invent their own) without a
+// list of whole names: a name is cut into words at separators, capitals and digits, compounds are
+// cut into known words, and the words are judged. So case, separators (also missing or encoded
+// ones), prefixes and numbers don't matter.
 //
-// Pure functions, any thread. Names are UTF-8; only ASCII words are known.
+// Pure functions, any thread. Names are UTF-8. Words are English, the usual Japanese and Chinese,
+// and the parts of the body in German, French, Spanish, Italian and Portuguese.
 #pragma once
 
 #include <set>
@@ -40,6 +41,7 @@ struct BoneName {
   BoneSide side = BoneSide::none;
   bool thumb = false;
   bool helper = false;      // twist, control, target and the like: no limb joint of its own
+  bool copy = false;        // "ORG": a copy that some rigs keep beside the joint itself
   bool end_marker = false;  // "_end", "nub": a leaf that only closes a bone
   std::vector<std::string> unknown;  // words that say nothing to us, lower case
 };

@@ -79,6 +79,7 @@ Checked check_document(const Container& container, Folder& folder) {
   check_looks(state);
   check_scene(state);
   check_animations(state);
+  check_human_bones(state);
   state.out.json = state.reduced.dump();
   return std::move(state.out);
 }

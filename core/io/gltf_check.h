@@ -29,6 +29,12 @@ struct BaseTexture {
   double rotation = 0;                 // radians, counter-clockwise
 };
 
+// A node that a VRM file says to be a bone of a human body.
+struct NamedBone {
+  std::string bone;
+  int node = -1;
+};
+
 struct Checked {
   std::string json;            // the reduced document; buffer i has the URI "buffer/i"
   std::vector<Bytes> buffers;  // by buffer, exactly as long as the reduced document says
@@ -36,8 +42,9 @@ struct Checked {
   std::vector<BaseTexture> base_textures;  // by material
   std::vector<std::string> unusable;       // by accessor: why it can't be read; empty if it can
   std::vector<bool> visible;               // by node: in the scene that is shown
-  bool quantized = false;                  // KHR_mesh_quantization is in use
-  std::uint64_t total_bytes = 0;           // of all buffers: what the file can justify to allocate
+  std::vector<NamedBone> human_bones;
+  bool quantized = false;         // KHR_mesh_quantization is in use
+  std::uint64_t total_bytes = 0;  // of all buffers: what the file can justify to allocate
   std::vector<std::string> warnings;
 };
 

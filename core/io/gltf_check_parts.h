@@ -28,5 +28,7 @@ void check_data(CheckState& state);
 void check_looks(CheckState& state);
 void check_scene(CheckState& state);
 void check_animations(CheckState& state);
+// The humanoid bones of a VRM file; only ever warns. Requires check_scene.
+void check_human_bones(CheckState& state);
 
 }  // namespace elbowroom::gltf

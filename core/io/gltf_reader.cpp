@@ -40,6 +40,9 @@ std::shared_ptr<const Model> read(const std::filesystem::path& path, const ReadO
   Conversion to{source, checked, folder.file_name(), *model};
   convert_nodes(to);
   convert_skins(to);
+  for (const NamedBone& bone : checked.human_bones) {
+    model->human_bones.push_back({bone.bone, bone.node});
+  }
   convert_materials(to);
   convert_meshes(to);
   convert_clips(to);

@@ -89,6 +89,13 @@ struct Object {
   bool animated = false;  // some clip moves it
 };
 
+// A joint that the file itself says to be a certain bone of a human body, by the names of VRM
+// ("leftUpperArm"). Not checked to make sense.
+struct HumanBone {
+  std::string bone;
+  int node = -1;  // in range
+};
+
 struct Model {
   std::filesystem::path path;
   Skeleton skeleton;
@@ -97,6 +104,7 @@ struct Model {
   std::vector<Clip> clips;
   std::vector<Material> materials;
   std::vector<Image> images;
+  std::vector<HumanBone> human_bones;  // of a VRM file, in the file's order
   std::vector<Character> characters;
   std::vector<Object> objects;
   std::vector<std::string> warnings;

@@ -176,18 +176,19 @@ TEST(GraspFrame, EndForGraspIsTheInverseOfGraspPlace) {
 
 TEST(GraspFrame, SaysWhyItCannotBeTold) {
   Body body = test::make_body({});
-  std::vector<Mat4> globals = bind_globals(body.model, body.character());
   const LimbModel limb = test::fit(body, LimbKind::left_arm);
-  GraspEvidence evidence{body.model, body.character(), limb.limb, globals};
-  globals[static_cast<std::size_t>(limb.limb.end)] = Mat4(std::numeric_limits<double>::quiet_NaN());
+  BoundFigure figure = bound_figure(body.model, body.character());
+  GraspEvidence evidence{figure, limb.limb};
+  figure.globals[static_cast<std::size_t>(limb.limb.end)] =
+      Mat4(std::numeric_limits<double>::quiet_NaN());
   const auto broken = fit_grasp_frame(evidence);
   ASSERT_FALSE(broken.ok());
   EXPECT_NE(broken.error().what.find("palm"), std::string::npos);
   // A joint with nothing beyond it.
-  globals = bind_globals(body.model, body.character());
+  figure.globals = bind_globals(body.model, body.character());
   Limb stump = limb.limb;
   stump.end = body.left[test::kIndex];
-  const GraspEvidence bare{body.model, body.character(), stump, globals};
+  const GraspEvidence bare{figure, stump};
   EXPECT_FALSE(fit_grasp_frame(bare).ok());
 }
 

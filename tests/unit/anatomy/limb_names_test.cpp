@@ -58,6 +58,37 @@ TEST(BoneNames, AreReadWhateverTheHabit) {
       {"Armature", BonePart::none, BoneSide::none},
       {"", BonePart::none, BoneSide::none},
       {":", BonePart::none, BoneSide::none},
+      {"lhumerus", BonePart::upper_arm, l},
+      {"rradius", BonePart::forearm, r},
+      {"lfemur", BonePart::thigh, l},
+      {"rtibia", BonePart::shin, r},
+      {"LHipJoint", BonePart::hip, l},
+      {"ORG-forearm.L", BonePart::forearm, l},
+      {"arm_stretch.l", BonePart::arm, l},
+      {"mixamorig%3ALeftForeArm", BonePart::forearm, l},
+      {"upper%5Farm%2El", BonePart::upper_arm, l},
+      {"Bip01FBXASC032LFBXASC032UpperArm", BonePart::upper_arm, l},
+      {"bip01lupperarm", BonePart::upper_arm, l},
+      {"ccbaserforearm", BonePart::forearm, r},
+      {"defupperarml001", BonePart::upper_arm, l},
+      {"左腕", BonePart::upper_arm, l},
+      {"左ひじ", BonePart::forearm, l},
+      {"右手首", BonePart::hand, r},
+      {"左足", BonePart::thigh, l},
+      {"右ひざ", BonePart::shin, r},
+      {"左足首", BonePart::foot, l},
+      {"左足首D", BonePart::foot, l},
+      {"右つま先", BonePart::toe, r},
+      {"左親指０", BonePart::finger, l},
+      {"右肩", BonePart::shoulder, r},
+      {"左大腿", BonePart::thigh, l},
+      {"右小腿", BonePart::shin, r},
+      {"Oberschenkel.L", BonePart::thigh, l},
+      {"Unterarm_rechts", BonePart::forearm, r},
+      {"Fuß links", BonePart::foot, l},
+      {"avant-bras gauche", BonePart::forearm, l},
+      {"cuisse.R", BonePart::thigh, r},
+      {"antebrazo_izquierdo", BonePart::forearm, l},
   };
   for (const Case& c : cases) {
     const BoneName read = read_bone_name(c.name);
@@ -68,10 +99,28 @@ TEST(BoneNames, AreReadWhateverTheHabit) {
 }
 
 TEST(BoneNames, HelpersAreToldApart) {
-  for (const char* name :
-       {"upperarm_twist_01_l", "CC_Base_L_ForearmTwist01", "CC_Base_L_ElbowShareBone", "handIK.l",
-        "IK-foot.l", "kneeIK.r", "LeftFootCtrl", "control-heel-roll.l", "PoleTarget.L", "PT.L",
-        "r-LEGCONTROL", "l-ARMORIENT", "handslot.l", "LeftForeArmRoll", "MCH-upper_arm.L"}) {
+  for (const char* name : {"upperarm_twist_01_l",
+                           "CC_Base_L_ForearmTwist01",
+                           "CC_Base_L_ElbowShareBone",
+                           "handIK.l",
+                           "IK-foot.l",
+                           "kneeIK.r",
+                           "LeftFootCtrl",
+                           "control-heel-roll.l",
+                           "PoleTarget.L",
+                           "PT.L",
+                           "r-LEGCONTROL",
+                           "l-ARMORIENT",
+                           "handslot.l",
+                           "LeftForeArmRoll",
+                           "MCH-upper_arm.L",
+                           "LeftArm_$AssimpFbx$_Rotation",
+                           "左足ＩＫ",
+                           "左腕捩",
+                           "右手捩1",
+                           "腰キャンセル左",
+                           "L_UpperarmTwist01",
+                           "lForearmTwist"}) {
     EXPECT_TRUE(read_bone_name(name).helper) << name;
   }
 }
@@ -192,7 +241,7 @@ TEST(FindLimbs, TwistJointsBetweenAreDriven) {
   }
 }
 
-TEST(FindLimbs, WhatIsNotThereIsMissedWithAReason) {
+TEST(FindLimbs, WhatNamesMissIsFoundByShape) {
   BodyOptions options;
   options.left[test::kHand] = "blob";
   options.left[test::kIndex] = options.left[test::kThumb] = "blob";
@@ -200,14 +249,19 @@ TEST(FindLimbs, WhatIsNotThereIsMissedWithAReason) {
   options.left[test::kThigh] = options.left[test::kShin] = options.left[test::kFoot] = "thing";
   const test::Body body = test::make_body(options);
   const LimbFindings findings = find_limbs(body.model, body.character());
-  // A hand without a name is still the forearm's end.
-  ASSERT_EQ(findings.limbs.size(), 2u);
-  EXPECT_EQ(findings.limbs[0].kind, LimbKind::left_arm);
-  EXPECT_EQ(findings.limbs[0].end, body.left[test::kHand]);
-  EXPECT_NE(findings.limbs[0].why.find("nearest to one"), std::string::npos);
-  ASSERT_EQ(findings.warnings.size(), 2u);
-  EXPECT_EQ(findings.warnings[0].rfind("left_leg not found: ", 0), 0u) << findings.warnings[0];
-  EXPECT_EQ(findings.warnings[1].rfind("right_leg not found: ", 0), 0u) << findings.warnings[1];
+  ASSERT_EQ(findings.limbs.size(), 4u);
+  EXPECT_TRUE(findings.warnings.empty()) << findings.warnings.front();
+  for (const Limb& limb : findings.limbs) {
+    const auto& joints = limb.is_left() ? body.left : body.right;
+    EXPECT_EQ(limb.root, joints[limb.is_arm() ? test::kUpperArm : test::kThigh]);
+    EXPECT_EQ(limb.middle, joints[limb.is_arm() ? test::kForearm : test::kShin]);
+    EXPECT_EQ(limb.end, joints[limb.is_arm() ? test::kHand : test::kFoot]);
+    // A hand without a name is still the forearm's end.
+    EXPECT_EQ(limb.why.find("shape") != std::string::npos, !limb.is_arm()) << limb.why;
+    if (limb.kind == LimbKind::left_arm) {
+      EXPECT_NE(limb.why.find("nearest to one"), std::string::npos);
+    }
+  }
 }
 
 TEST(FindLimbs, SwappedSidesAreNoticedAndKeptAsNamed) {

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// What stands between and beside a limb's own joints. For the finders of limbs.
+#pragma once
+
+#include "core/anatomy/bound_figure.h"
+#include "core/anatomy/limb.h"
+
+namespace elbowroom {
+
+// With root, middle and end set: fills `joints` and `beside` and adds them to `why`. Where a clip
+// turns not a limb's joint but a node above it in the same place (importers split a joint into
+// pivots), that node is the limb's.
+void complete_limb(const BoundFigure& figure, Limb& limb);
+
+}  // namespace elbowroom

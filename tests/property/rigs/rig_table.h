@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// What is expected of every sample character, written by hand from looking at the files: what kind
+// of rig it is and where its limbs are.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/anatomy/limb_model.h"
+
+namespace elbowroom::test {
+
+// Root, middle and end by name; empty where there is no such limb, which is to be said then.
+using LimbNames = std::vector<std::string>;
+
+struct RigRow {
+  std::string file;  // under humanoids
+  std::string kind;
+  std::array<LimbNames, 4> limbs;  // left arm, right arm, left leg, right leg
+  // Sides in the names are those of a person who looks at the figure.
+  bool sides_swapped = false;
+  // Without its names shape alone must find the same; false: the names are all there is to tell by.
+  bool by_shape = true;
+};
+
+std::vector<RigRow> rig_table();
+
+// The row's file, read; null with a test failure if it can't be.
+std::shared_ptr<const Model> read_row(const RigRow& row);
+
+}  // namespace elbowroom::test
