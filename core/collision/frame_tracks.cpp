@@ -62,6 +62,11 @@ double FrameTracks::segment_middle(int segment) const {
   return 0.5 * (s.begin + s.end);
 }
 
+bool FrameTracks::joined(std::uint32_t row) const {
+  return std::none_of(segments_.begin(), segments_.end(),
+                      [&](const Segment& s) { return s.last == row; });
+}
+
 double FrameTracks::time_of(std::uint32_t row) const {
   const auto after =
       std::upper_bound(segments_.begin(), segments_.end(), row,

@@ -43,6 +43,8 @@ class FrameTracks {
   };
   Cell cell_at(double t) const;
   std::uint32_t row_count() const { return rows_; }
+  // `row` and `row + 1` have no step of the world between them.
+  bool joined(std::uint32_t row) const;
   int segment_count() const { return static_cast<int>(segments_.size()); }
   double segment_middle(int segment) const;
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,8 @@
 #include "core/collision/planning_parts.h"
 
 namespace elbowroom {
+
+class LimbMotion;
 
 // In place of a node of the chain: what no limb node moves.
 inline constexpr int kWorld = -1;
@@ -52,6 +55,7 @@ struct LimbPlanningSpace::Data {
   std::vector<PlanningPart> pieces;
   std::vector<Part> parts;
   std::vector<std::size_t> track_of;  // by part: its node in the tracks
+  std::size_t track_count = 0;        // nodes in the tracks
 
   // Between two steps of the world: who carries what.
   struct Segment {
@@ -95,6 +99,17 @@ struct LimbPlanningSpace::Data {
   };
   std::vector<MetricPoint> metric;
 
+  std::shared_ptr<LimbMotion> motion;  // made when first asked for
+  // Scratch of certified_free: intervals that are not yet free, and the pairs they ask about.
+  struct Interval {
+    double begin, end;
+    std::size_t first, last;  // in open_pairs
+  };
+  std::vector<Interval> open_intervals;
+  std::vector<int> open_pairs;
+  std::vector<std::uint32_t> reached;  // by place in Segment::still: the look-up that saw it last
+  std::uint32_t reach_look_up = 0;
+
   std::vector<Link> links;             // scratch, by chain node
   std::vector<RigidTransform> placed;  // scratch, by part
   std::vector<std::uint8_t> is_placed;
@@ -126,7 +141,13 @@ struct LimbPlanningSpace::Data {
     return segments.size() == 1 ||
            std::binary_search(segment.sorted_pairs.begin(), segment.sorted_pairs.end(), pair);
   }
+  // The pair is nearer than it may be plus `more` (0: what valid() says no to); its bounding
+  // volumes are.
+  bool bounds_near(int pair, const FrameTracks::Cell& cell, const Segment& segment, double more);
+  bool near(int pair, const FrameTracks::Cell& cell, const Segment& segment, double more);
   bool touches(int pair, const FrameTracks::Cell& cell, const Segment& segment);
+  std::optional<bool> piece_free(const Configuration& from, const Configuration& to, double begin,
+                                 double end, std::int64_t& looks);
 };
 
 }  // namespace elbowroom

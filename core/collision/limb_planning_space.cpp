@@ -149,39 +149,53 @@ void LimbPlanningSpace::Data::find_reachable(const FrameTracks::Cell& cell) {
   }
 }
 
-bool LimbPlanningSpace::Data::touches(int number, const FrameTracks::Cell& cell,
-                                      const Segment& segment) {
+bool LimbPlanningSpace::Data::bounds_near(int number, const FrameTracks::Cell& cell,
+                                          const Segment& segment, double more) {
   const auto k = static_cast<std::size_t>(number);
   const Pair& pair = pairs[k];
-  PairState& state = pair_states[k];
+  const double distance = pair_states[k].distance + more;
   const RigidTransform& world_from_a = place(cell, segment, pair.a);
   const RigidTransform& world_from_b = place(cell, segment, pair.b);
   const PlanningPart &a = pieces[static_cast<std::size_t>(pair.a)],
                      &b = pieces[static_cast<std::size_t>(pair.b)];
   const Vec3 apart = world_from_a * a.centre - world_from_b * b.centre;
-  const double sum = a.radius + b.radius + state.distance;
+  const double sum = a.radius + b.radius + distance;
   if (glm::dot(apart, apart) > sum * sum) return false;
   // Long thin parts fill little of their spheres: each one's box against the other's sphere.
   const auto beyond_box = [&](const Mat3& turned, const Vec3& half, double reach) {
     double out2 = 0;
-    for (int k = 0; k < 3; ++k) {
-      const double out = std::abs(glm::dot(turned[k], apart)) - half[k];
+    for (int axis = 0; axis < 3; ++axis) {
+      const double out = std::abs(glm::dot(turned[axis], apart)) - half[axis];
       if (out > 0) out2 += out * out;
     }
     return out2 > reach * reach;
   };
-  if (beyond_box(world_from_a.rotation, a.half, b.radius + state.distance) ||
-      beyond_box(world_from_b.rotation, b.half, a.radius + state.distance))
-    return false;
-  const RigidTransform a_from_b = inverse(world_from_a) * world_from_b;
-  bool hit = in_contact(*a.mesh, *b.mesh, a_from_b, state.distance, pair.filter, &state.cache);
-  if (!hit && state.near_only) {
-    PatchFilter cross = pair.filter;
-    cross.allowed = state.cross;
-    hit = in_contact(*a.mesh, *b.mesh, a_from_b, 0.0, cross, &state.cross_cache);
-  }
+  return !beyond_box(world_from_a.rotation, a.half, b.radius + distance) &&
+         !beyond_box(world_from_b.rotation, b.half, a.radius + distance);
+}
+
+bool LimbPlanningSpace::Data::near(int number, const FrameTracks::Cell& cell,
+                                   const Segment& segment, double more) {
+  if (!bounds_near(number, cell, segment, more)) return false;
+  const auto k = static_cast<std::size_t>(number);
+  const Pair& pair = pairs[k];
+  PairState& state = pair_states[k];
+  const CollisionMesh &a = *pieces[static_cast<std::size_t>(pair.a)].mesh,
+                      &b = *pieces[static_cast<std::size_t>(pair.b)].mesh;
+  const RigidTransform a_from_b =
+      inverse(place(cell, segment, pair.a)) * place(cell, segment, pair.b);
+  if (in_contact(a, b, a_from_b, state.distance + more, pair.filter, &state.cache)) return true;
+  if (!state.near_only) return false;
+  PatchFilter cross = pair.filter;
+  cross.allowed = state.cross;
+  return in_contact(a, b, a_from_b, more, cross, &state.cross_cache);
+}
+
+bool LimbPlanningSpace::Data::touches(int number, const FrameTracks::Cell& cell,
+                                      const Segment& segment) {
+  const bool hit = near(number, cell, segment, 0.0);
   if (hit) {
-    ++state.hits;
+    ++pair_states[static_cast<std::size_t>(number)].hits;
     auto at = std::find(recent.begin(), recent.end(), number);
     if (at == recent.end()) --at;
     std::rotate(recent.begin(), at, at + 1);
@@ -220,6 +234,7 @@ LimbPlanningSpace::LimbPlanningSpace(const SceneCollision& scene, int limb, doub
     const auto [at, fresh] = node_number.try_emplace({piece.actor, piece.node}, nodes.size());
     if (fresh) nodes.push_back({piece.actor, piece.node});
     d.track_of.push_back(at->second);
+    d.track_count = nodes.size();
     d.parts.push_back({piece.mesh, piece.name, piece.of_limb});
   }
   FrameTracks::Locals locals;

@@ -3,6 +3,8 @@
 // space-time configurations (q, t) [SKF07 3] and asks one object whether they are valid.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/base/dof_space.h"
@@ -28,6 +30,16 @@ class StateSpace {
   // the limb's joints, its end effector's and the carried object's extreme points. World space,
   // scene units; always the same number of them.
   virtual void metric_points(const Configuration& c, std::vector<Vec3>& points) = 0;
+
+  // A proof, or its refusal, for every configuration of the straight edge between two valid ones,
+  // from.t < to.t: true if all of them are valid, false if that is not so or could not be shown.
+  // Nothing: this world proves nothing, and an edge has to be sampled. `looks` grows by the
+  // configurations that were looked at.
+  virtual std::optional<bool> certified_free(const Configuration& from, const Configuration& to,
+                                             std::int64_t& looks) {
+    (void)from, (void)to, (void)looks;
+    return std::nullopt;
+  }
 
   // Instants at which the world steps, ascending; an edge that spans one tests both its sides.
   virtual const std::vector<double>& step_times() const = 0;

@@ -14,7 +14,18 @@ const std::filesystem::path kDemo = ELBOWROOM_DEMO_DIR;
 
 struct Tally {
   int tried = 0, delivered = 0, declined = 0;
+  int corrections = 0, certified = 0;
+  double verify_ms = 0, certify_ms = 0;
 };
+
+void tell(const std::string& name, const Tally& tally) {
+  std::printf(
+      "  %-28s tried %3d  delivered %3d  declined %3d  corrections %3d, certified %3d; "
+      "verify %.0f ms, certify %.0f ms\n",
+      name.c_str(), tally.tried, tally.delivered, tally.declined, tally.corrections,
+      tally.certified, tally.verify_ms, tally.certify_ms);
+  std::fflush(stdout);
+}
 
 void try_post(const std::filesystem::path& file, const Model& model, const Limb& limb,
               const PostProblem& post, const Folder& folder, Tally& tally) {
@@ -49,6 +60,13 @@ void try_post(const std::filesystem::path& file, const Model& model, const Limb&
       window.limb_joints.push_back(model.skeleton.joints[static_cast<std::size_t>(joint)].name);
     window.limb_root = window.limb_joints.front();
     delivered.windows.push_back(window);
+    ++tally.corrections;
+    tally.verify_ms += correction["verify_ms"].get<double>();
+    tally.certify_ms += correction["certify_ms"].get<double>();
+    if (correction["certified"].get<bool>()) ++tally.certified;
+    const std::string why = correction.value("not_certified", std::string());
+    EXPECT_NE(correction["certified"].get<bool>(), !why.empty());
+    if (!why.empty()) std::printf("  not certified: %s\n", why.c_str());
   }
   expect_delivered(delivered);
 }
@@ -82,16 +100,18 @@ TEST(ManyPosts, NothingDeliveredCollides) {
         SCOPED_TRACE(file.filename().string() + " " + limb.name + " clip " + std::to_string(clip));
         try_post(file, **model, limb, *post, folder, tally);
       }
-    std::printf("  %-28s tried %3d  delivered %3d  declined %3d\n", file.filename().c_str(),
-                tally.tried, tally.delivered, tally.declined);
-    std::fflush(stdout);
+    tell(file.filename().string(), tally);
     whole.tried += tally.tried;
     whole.delivered += tally.delivered;
     whole.declined += tally.declined;
+    whole.corrections += tally.corrections;
+    whole.certified += tally.certified;
+    whole.verify_ms += tally.verify_ms;
+    whole.certify_ms += tally.certify_ms;
   }
-  std::printf("  %-28s tried %3d  delivered %3d  declined %3d\n", "all", whole.tried,
-              whole.delivered, whole.declined);
+  tell("all", whole);
   EXPECT_GT(whole.delivered, 0);
+  EXPECT_GT(whole.certified, 0);
 }
 
 }  // namespace

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// Certified edges of the planner's world.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "core/collision/limb_motion.h"
+#include "core/collision/limb_planning_data.h"
+#include "core/collision/world_steps.h"
+#include "core/planning/interpolation.h"
+
+namespace elbowroom {
+namespace {
+
+constexpr double kCoarse = 0.04;    // × height of travel: above it only bounding volumes are asked
+constexpr double kGiveUp = 2.5e-4;  // × height of travel: what is not free by then is refused
+constexpr std::size_t kMostIntervals = 1 << 14;
+
+}  // namespace
+
+// Of the edge's part [begin, end], which no step of the world divides.
+std::optional<bool> LimbPlanningSpace::Data::piece_free(const Configuration& from,
+                                                        const Configuration& to, double begin,
+                                                        double end, std::int64_t& looks) {
+  const double height = scene.height;
+  Dofs rate = from.q;
+  for (int i = 0; i < rate.count; ++i) rate[i] = (to.q[i] - from.q[i]) / (to.t - from.t);
+
+  // What can be met at all: pairs of any row on the way.
+  auto first = tracks->cell_at(begin), last = tracks->cell_at(end);
+  const Segment& segment = segments[static_cast<std::size_t>(first.segment)];
+  open_pairs.clear();
+  open_intervals.clear();
+  reached.resize(pieces.size(), 0);
+  ++reach_look_up;
+  std::vector<std::uint32_t> seen;
+  for (std::uint32_t row = first.row; row <= last.row; ++row) {
+    FrameTracks::Cell cell;
+    cell.row = row;
+    cell.segment = first.segment;
+    if (!reach_known[row]) find_reachable(cell);
+    for (const std::uint32_t s : reachable[row]) {
+      if (reached[s] == reach_look_up) continue;
+      reached[s] = reach_look_up;
+      seen.push_back(s);
+    }
+  }
+  std::sort(seen.begin(), seen.end());
+  for (const auto& with : segment.pair_with)
+    for (const std::uint32_t s : seen)
+      if (with[s] >= 0) open_pairs.push_back(with[s]);
+  open_pairs.insert(open_pairs.end(), segment.inner_pairs.begin(), segment.inner_pairs.end());
+  // Those that hit last come first.
+  auto front = open_pairs.begin();
+  for (const int pair : recent)
+    if (const auto at = std::find(front, open_pairs.end(), pair); at != open_pairs.end())
+      std::rotate(front, at, at + 1), ++front;
+  open_intervals.push_back({begin, end, 0, open_pairs.size()});
+
+  for (std::size_t next = 0; next < open_intervals.size(); ++next) {
+    if (next >= kMostIntervals) return false;
+    const Interval interval = open_intervals[next];
+    const double middle = 0.5 * (interval.begin + interval.end);
+    Configuration c = interpolate_at(from, to, middle);
+    const auto cell = tracks->cell_at(middle);
+    ++looks;
+    place_chain(cell, c, false);
+    motion->set(rate, interval.begin, middle, interval.end, tracks->cell_at(interval.begin), cell,
+                tracks->cell_at(interval.end), segment, state_at(c).residual);
+    const std::size_t open = open_pairs.size();
+    for (std::size_t i = interval.first; i < interval.last; ++i) {
+      const int pair = open_pairs[i];
+      const Pair& parts_of = pairs[static_cast<std::size_t>(pair)];
+      const double travel = motion->travel(parts_of.a, parts_of.b);
+      if (!std::isfinite(travel)) return false;
+      if (travel <= kCoarse * height) {
+        if (!near(pair, cell, segment, travel)) continue;
+        if (travel <= kGiveUp * height + motion->flex()) return false;
+      } else if (!bounds_near(pair, cell, segment, travel)) {
+        continue;
+      }
+      if (touches(pair, cell, segment)) return false;
+      open_pairs.push_back(pair);
+    }
+    if (open_pairs.size() == open) continue;
+    open_intervals.push_back({interval.begin, middle, open, open_pairs.size()});
+    open_intervals.push_back({middle, interval.end, open, open_pairs.size()});
+  }
+  return true;
+}
+
+std::optional<bool> LimbPlanningSpace::certified_free(const Configuration& from,
+                                                      const Configuration& to,
+                                                      std::int64_t& looks) {
+  Data& d = *data_;
+  const int count = d.limb.dof_count();
+  if (!(from.t < to.t) || !std::isfinite(from.t) || !std::isfinite(to.t) || from.q.count < count ||
+      to.q.count < count)
+    return false;
+  for (int i = 0; i < count; ++i)
+    if (!std::isfinite(from.q[i]) || !std::isfinite(to.q[i])) return false;
+  if (!d.motion) d.motion = std::make_shared<LimbMotion>(d);
+  if (!d.motion->supported()) return std::nullopt;
+  double begin = from.t;
+  const auto& steps = d.tracks->steps();
+  for (auto step = std::upper_bound(steps.begin(), steps.end(), from.t);
+       step != steps.end() && *step <= to.t; ++step) {
+    const auto free = d.piece_free(from, to, begin, std::max(begin, just_before(*step)), looks);
+    if (!free || !*free) return free;
+    begin = *step;
+  }
+  return d.piece_free(from, to, begin, to.t, looks);
+}
+
+}  // namespace elbowroom
