@@ -67,7 +67,7 @@ struct Candidate {
 struct PlanFailure {
   std::string limb, reason, blocked_by;
   double begin = 0, end = 0;
-  std::vector<Suggestion> suggestions;
+  std::vector<Suggestion> suggestions{};
 };
 
 // Where the limb stands for the hand target that is being set.
