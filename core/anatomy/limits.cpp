@@ -173,6 +173,12 @@ Status set_swing_polygon(LimbModel& limb, LimbJointRole role,
   const bool swings = joint.kind == JointModelKind::ball || joint.kind == JointModelKind::swing;
   if (!swings || first < 0 || first + 1 >= limb.dof_count())
     return Error{"the joint has no swing to bound", limb.limb.name, "choose another joint"};
+  for (const auto& corner : corners) {
+    // A swing by pi is singular.
+    if (!(std::hypot(corner[0], corner[1]) < kPi))
+      return Error{"a corner is half a turn or more from the zero pose", limb.limb.name,
+                   "draw it nearer"};
+  }
   auto polygon = make_polygon_limit(first, first + 1, std::move(corners));
   if (!polygon) return polygon.error();
   DofSpace& space = limb.space;
@@ -199,10 +205,12 @@ std::vector<std::array<double, 2>> polygon_of_ellipse(const LimbModel& limb, Lim
   std::vector<std::array<double, 2>> polygon;
   for (const EllipseLimit& ellipse : limb.space.ellipses) {
     if (ellipse.first != first) continue;
+    const Dof& a = limb.space.dofs[static_cast<std::size_t>(ellipse.first)];
+    const Dof& b = limb.space.dofs[static_cast<std::size_t>(ellipse.second)];
     for (int i = 0; i < std::clamp(corners, 3, 360); ++i) {
       const double angle = 2 * kPi * i / std::clamp(corners, 3, 360);
-      polygon.push_back(
-          {ellipse.half_first * std::cos(angle), ellipse.half_second * std::sin(angle)});
+      polygon.push_back({std::clamp(ellipse.half_first * std::cos(angle), a.lower, a.upper),
+                         std::clamp(ellipse.half_second * std::sin(angle), b.lower, b.upper)});
     }
   }
   return polygon;

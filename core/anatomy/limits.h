@@ -44,11 +44,13 @@ void append_dofs(LimbKind kind, LimbJointRole role, const JointModel& model,
 // Bounds the swing of a joint of a limb by a polygon (core/base/dof_space.h) in place of the one it
 // has; its ellipse is dropped unless `keep_ellipse`, and its ranges become the polygon's, sampling
 // intervals no wider. Corners are (first swing, second swing): of a shoulder up and forward of the
-// zero pose. Error: a joint without a swing, or no such polygon; the limb is unchanged then.
+// zero pose. Error: a joint without a swing, a corner at half a
+// turn or beyond, or no such polygon; the limb is unchanged then.
 Status set_swing_polygon(LimbModel& limb, LimbJointRole role,
                          std::vector<std::array<double, 2>> corners, bool keep_ellipse = false);
 
-// Corners on the ellipse that a joint's swing has, a start for editing; empty without one.
+// Corners on the ellipse that a joint's swing has, within its ranges, a start for editing; empty
+// without one.
 std::vector<std::array<double, 2>> polygon_of_ellipse(const LimbModel& limb, LimbJointRole role,
                                                       int corners = 12);
 

@@ -61,13 +61,14 @@ Result<PolygonLimit> make_polygon_limit(int first, int second,
     return Error{what, "swing polygon", "give its corners in order round the zero pose"};
   };
   constexpr std::size_t kMostCorners = 1000;
+  constexpr double kFarthest = 100;  // clips may swing past half a turn and widen a limit to it
   if (first < 0 || second < 0 || first == second) return wrong("it needs two DOFs");
   if (corners.size() < 3) return wrong("it needs three corners at least");
   if (corners.size() > kMostCorners) return wrong("it has too many corners");
   for (const Corner& corner : corners) {
     // Written so that NaN is wrong.
-    if (!(std::hypot(corner[0], corner[1]) <= 3.14159265358979323846))
-      return wrong("a corner is farther than half a turn from the zero pose");
+    if (!(std::hypot(corner[0], corner[1]) <= kFarthest))
+      return wrong("a corner is no place in a swing");
   }
   double area = 0, turns = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {

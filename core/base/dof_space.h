@@ -55,8 +55,8 @@ struct PolygonLimit {
   double gauge(double a, double b) const;
 };
 
-// The corners in order if they make such a polygon: at least three, finite, none farther than pi,
-// convex, with zero inside. Corners on an edge are left out. Error: what is wrong with them.
+// The corners in order if they make such a polygon: at least three, finite, convex, with zero
+// inside. Corners on an edge are left out. Error: what is wrong with them.
 Result<PolygonLimit> make_polygon_limit(int first, int second,
                                         std::vector<std::array<double, 2>> corners);
 

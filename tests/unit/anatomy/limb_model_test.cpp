@@ -436,6 +436,7 @@ TEST(LimbModel, SwingsMayBeBoundedByPolygons) {
   const DofSpace kept = arm.space;
   EXPECT_FALSE(set_swing_polygon(arm, LimbJointRole::middle, corners).ok());
   EXPECT_FALSE(set_swing_polygon(arm, LimbJointRole::root, {{1, 1}, {2, 1}, {2, 2}}).ok());
+  EXPECT_FALSE(set_swing_polygon(arm, LimbJointRole::root, {{3.2, 0}, {0, 1}, {-1, -1}}).ok());
   EXPECT_EQ(arm.space.polygons[0].corners, kept.polygons[0].corners);
 }
 
