@@ -333,25 +333,21 @@ NamedLimb find_one(const Finder& finder, const Family& family, LimbKind kind,
   const bool left = kind == LimbKind::left_arm || kind == LimbKind::left_leg;
   const std::vector<Candidate> candidates =
       candidates_of(finder, family, left ? BoneSide::left : BoneSide::right, sides);
-  std::string reason =
+  limb.why =
       std::string("no joint is named as ") + (family.arm ? "an arm" : "a leg") + " of that side";
   if (!candidates.empty()) {
-    reason = "the joints named like one do not form a chain of three (" +
-             finder.quoted(candidates.front().joint) + ")";
+    limb.why = "the joints named like one do not form a chain of three (" +
+               finder.quoted(candidates.front().joint) + ")";
   }
-  limb.why = reason;
   // The search below tries pairs of names; a body has a few, a hostile file may have thousands.
   constexpr std::size_t kMostNames = 200;
   if (candidates.size() > kMostNames) {
     limb.why = std::to_string(candidates.size()) + " joints are named like it";
     return limb;
   }
-  std::optional<Chain> chain = named_chain(finder, family, candidates, reason);
+  std::optional<Chain> chain = named_chain(finder, family, candidates, limb.why);
   if (!chain) chain = numbered_chain(finder, family, candidates);
-  if (!chain) {
-    limb.why = reason;
-    return limb;
-  }
+  if (!chain) return limb;
   const double upper = finder.distance(chain->root, chain->middle);
   const double fore = finder.distance(chain->middle, chain->end);
   const double least = 1e-6 * std::max(finder.figure.character.height, upper + fore);
