@@ -18,6 +18,11 @@ double allowed(const DofSpace& space, int first, double a, double b, double step
     const double length = std::hypot(a / ellipse.half_first, b / ellipse.half_second);
     if (length > 0) step = std::min(step, 1.0 / length);
   }
+  for (const PolygonLimit& polygon : space.polygons) {
+    if (polygon.first != first || polygon.second != first + 1) continue;
+    const double out = polygon.gauge(a, b);
+    if (out > 0) step = std::min(step, 1.0 / out);
+  }
   const double way[2] = {a, b};
   for (int i = 0; i < 2; ++i) {
     const Dof& dof = space.dofs[static_cast<std::size_t>(first + i)];

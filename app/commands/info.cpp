@@ -7,6 +7,7 @@
 #include "app/terminal.h"
 #include "core/anatomy/limb_model.h"
 #include "core/io/gltf_reader.h"
+#include "core/io/project_file.h"
 
 namespace elbowroom {
 namespace {
@@ -65,7 +66,19 @@ void print_text(const Model& model, const Json& info) {
 int run_info(const InfoOptions& options) {
   ReadOptions read;
   read.images = false;
-  const auto opened = read_gltf(options.file, read);
+  // Of a project its character's file, with the limbs that it sets by hand.
+  std::filesystem::path file = options.file;
+  LimbOverrides overrides;
+  if (file.extension() == ".elbow") {
+    const auto project = read_project(file);
+    if (!project) {
+      print_error(project.error());
+      return kExitBadInput;
+    }
+    file = project->scene.character;
+    overrides = project->limbs;
+  }
+  const auto opened = read_gltf(file, read);
   if (!opened) {
     print_error(opened.error());
     return kExitBadInput;
@@ -76,7 +89,7 @@ int run_info(const InfoOptions& options) {
   info["characters"] = Json::array();
   std::vector<std::string> warnings = model.warnings;
   for (const Character& character : model.characters) {
-    const LimbFindings findings = find_limbs(model, character);
+    const LimbFindings findings = find_limbs(model, character, overrides);
     Json limbs = Json::object();
     for (const Limb& limb : findings.limbs) {
       limbs[limb.name] = limb_json(model, limb);

@@ -2,6 +2,7 @@
 #include "core/anatomy/bind_geometry.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace elbowroom {
 std::optional<Vec3> direction(const Vec3& v) {
@@ -23,6 +24,20 @@ std::optional<Quat> frame_of(const Vec3& x, const Vec3& y) {
   const auto across = direction_across(y, x);
   if (!across) return std::nullopt;
   return glm::normalize(glm::quat_cast(Mat3(x, *across, glm::cross(x, *across))));
+}
+
+Vec3 widest_way(const std::vector<Vec3>& places) {
+  Vec3 mean(0.0);
+  for (const Vec3& p : places) mean += p / static_cast<double>(places.size());
+  double xx = 0, xz = 0, zz = 0;
+  for (const Vec3& p : places) {
+    xx += (p.x - mean.x) * (p.x - mean.x);
+    xz += (p.x - mean.x) * (p.z - mean.z);
+    zz += (p.z - mean.z) * (p.z - mean.z);
+  }
+  const double angle = 0.5 * std::atan2(2 * xz, xx - zz);
+  const Vec3 way(std::cos(angle), 0, std::sin(angle));
+  return way.x < 0 ? -way : way;
 }
 
 bool is_skin_joint(const Character& character, int joint) {

@@ -29,6 +29,9 @@ std::optional<Vec3> direction_across(const Vec3& v, const Vec3& axis);
 // if they are along each other.
 std::optional<Quat> frame_of(const Vec3& x, const Vec3& y);
 
+// The level direction (across the file's up) in which places spread most, unit, not towards -x.
+Vec3 widest_way(const std::vector<Vec3>& places);
+
 // Whether a skin of the character uses the joint.
 bool is_skin_joint(const Character& character, int joint);
 

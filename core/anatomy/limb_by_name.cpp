@@ -6,7 +6,6 @@
 #include "core/anatomy/bound_figure.h"
 #include "core/anatomy/limb.h"
 #include "core/anatomy/limb_joints.h"
-#include "core/anatomy/named_limbs.h"
 
 namespace elbowroom {
 namespace {

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/anatomy/bind_geometry.h"
-#include "core/anatomy/named_limbs.h"
 
 namespace elbowroom {
 namespace {
@@ -71,6 +70,11 @@ void complete_limb(const BoundFigure& figure, Limb& limb) {
   if (!between.empty()) limb.why += "; driven between them: " + listed(model, between);
   if (!limb.beside.empty()) limb.why += "; driven beside them: " + listed(model, limb.beside);
   if (!moved.empty()) limb.why += "; turned by its clips at " + listed(model, moved);
+}
+
+std::string quoted_joint(const Model& model, int joint) {
+  const std::string& text = model.skeleton.joints[static_cast<std::size_t>(joint)].name;
+  return text.empty() ? "node " + std::to_string(joint) : "'" + text + "'";
 }
 
 }  // namespace elbowroom

@@ -2,6 +2,8 @@
 // What stands between and beside a limb's own joints. For the finders of limbs.
 #pragma once
 
+#include <string>
+
 #include "core/anatomy/bound_figure.h"
 #include "core/anatomy/limb.h"
 
@@ -11,5 +13,8 @@ namespace elbowroom {
 // turns not a limb's joint but a node above it in the same place (importers split a joint into
 // pivots), that node is the limb's.
 void complete_limb(const BoundFigure& figure, Limb& limb);
+
+// A joint's name in quotes, or its node index.
+std::string quoted_joint(const Model& model, int joint);
 
 }  // namespace elbowroom

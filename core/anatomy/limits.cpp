@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/anatomy/limits.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -163,6 +164,56 @@ void append_dofs(LimbKind kind, LimbJointRole role, const JointModel& model,
     space.ellipses.push_back(
         {first, first + 1, ranges.half_first * kDegree, ranges.half_second * kDegree});
   }
+}
+
+Status set_swing_polygon(LimbModel& limb, LimbJointRole role,
+                         std::vector<std::array<double, 2>> corners, bool keep_ellipse) {
+  const JointModel& joint = limb.joints[static_cast<std::size_t>(role)];
+  const int first = joint.first_dof;
+  const bool swings = joint.kind == JointModelKind::ball || joint.kind == JointModelKind::swing;
+  if (!swings || first < 0 || first + 1 >= limb.dof_count())
+    return Error{"the joint has no swing to bound", limb.limb.name, "choose another joint"};
+  for (const auto& corner : corners) {
+    // A swing by pi is singular.
+    if (!(std::hypot(corner[0], corner[1]) < kPi))
+      return Error{"a corner is half a turn or more from the zero pose", limb.limb.name,
+                   "draw it nearer"};
+  }
+  auto polygon = make_polygon_limit(first, first + 1, std::move(corners));
+  if (!polygon) return polygon.error();
+  DofSpace& space = limb.space;
+  const auto of_joint = [&](const auto& limit) { return limit.first == first; };
+  std::erase_if(space.polygons, of_joint);
+  if (!keep_ellipse) std::erase_if(space.ellipses, of_joint);
+  for (std::size_t i = 0; i < 2; ++i) {
+    Dof& dof = space.dofs[static_cast<std::size_t>(first) + i];
+    dof.lower = dof.upper = 0;
+    for (const auto& corner : polygon->corners) {
+      dof.lower = std::min(dof.lower, corner[i]);
+      dof.upper = std::max(dof.upper, corner[i]);
+    }
+    dof.sample_lower = std::clamp(dof.sample_lower, dof.lower, dof.upper);
+    dof.sample_upper = std::clamp(dof.sample_upper, dof.sample_lower, dof.upper);
+  }
+  space.polygons.push_back(std::move(*polygon));
+  return Done{};
+}
+
+std::vector<std::array<double, 2>> polygon_of_ellipse(const LimbModel& limb, LimbJointRole role,
+                                                      int corners) {
+  const int first = limb.joints[static_cast<std::size_t>(role)].first_dof;
+  std::vector<std::array<double, 2>> polygon;
+  for (const EllipseLimit& ellipse : limb.space.ellipses) {
+    if (ellipse.first != first) continue;
+    const Dof& a = limb.space.dofs[static_cast<std::size_t>(ellipse.first)];
+    const Dof& b = limb.space.dofs[static_cast<std::size_t>(ellipse.second)];
+    for (int i = 0; i < std::clamp(corners, 3, 360); ++i) {
+      const double angle = 2 * kPi * i / std::clamp(corners, 3, 360);
+      polygon.push_back({std::clamp(ellipse.half_first * std::cos(angle), a.lower, a.upper),
+                         std::clamp(ellipse.half_second * std::sin(angle), b.lower, b.upper)});
+    }
+  }
+  return polygon;
 }
 
 }  // namespace elbowroom

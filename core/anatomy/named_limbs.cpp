@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/anatomy/bind_geometry.h"
+#include "core/anatomy/limb_joints.h"
 #include "core/anatomy/limb_names.h"
 
 namespace elbowroom {
@@ -276,34 +277,6 @@ std::optional<Chain> named_chain(const Finder& finder, const Family& family,
   return best;
 }
 
-// Where the joints of one family spread most across the file's up: the way from right to left, for
-// the time being towards +x, since glTF figures face +z.
-Vec3 breadth_of(const Finder& finder, const Family& family) {
-  double xx = 0, xz = 0, zz = 0, mean_x = 0, mean_z = 0, count = 0;
-  for (const bool mean : {true, false}) {
-    for (const int joint : finder.members) {
-      if (!of_family(family, finder.names[static_cast<std::size_t>(joint)].part)) continue;
-      const Vec3 p = finder.figure.place(joint);
-      if (mean) {
-        mean_x += p.x;
-        mean_z += p.z;
-        count += 1;
-      } else {
-        xx += (p.x - mean_x) * (p.x - mean_x);
-        xz += (p.x - mean_x) * (p.z - mean_z);
-        zz += (p.z - mean_z) * (p.z - mean_z);
-      }
-    }
-    if (mean && count > 0) {
-      mean_x /= count;
-      mean_z /= count;
-    }
-  }
-  const double angle = 0.5 * std::atan2(2 * xz, xx - zz);
-  const Vec3 way(std::cos(angle), 0, std::sin(angle));
-  return way.x < 0 ? -way : way;
-}
-
 // Sides by position for families whose names tell none.
 std::vector<BoneSide> sides_of(const Finder& finder, std::array<bool, 2>& by_position) {
   std::vector<BoneSide> sides(finder.names.size(), BoneSide::none);
@@ -317,7 +290,13 @@ std::vector<BoneSide> sides_of(const Finder& finder, std::array<bool, 2>& by_pos
       return name.side != BoneSide::none && of_family(family, name.part);
     });
     if (!by_position[f]) continue;
-    const Vec3 left = breadth_of(finder, family);
+    // For the time being towards +x, since glTF figures face +z.
+    std::vector<Vec3> places;
+    for (const int joint : finder.members) {
+      if (of_family(family, finder.names[static_cast<std::size_t>(joint)].part))
+        places.push_back(finder.figure.place(joint));
+    }
+    const Vec3 left = widest_way(places);
     double middle = 0, low = INFINITY, high = -INFINITY;
     for (const int joint : finder.figure.character.joints) {
       const double along = glm::dot(finder.figure.place(joint), left);
@@ -354,25 +333,21 @@ NamedLimb find_one(const Finder& finder, const Family& family, LimbKind kind,
   const bool left = kind == LimbKind::left_arm || kind == LimbKind::left_leg;
   const std::vector<Candidate> candidates =
       candidates_of(finder, family, left ? BoneSide::left : BoneSide::right, sides);
-  std::string reason =
+  limb.why =
       std::string("no joint is named as ") + (family.arm ? "an arm" : "a leg") + " of that side";
   if (!candidates.empty()) {
-    reason = "the joints named like one do not form a chain of three (" +
-             finder.quoted(candidates.front().joint) + ")";
+    limb.why = "the joints named like one do not form a chain of three (" +
+               finder.quoted(candidates.front().joint) + ")";
   }
-  limb.why = reason;
   // The search below tries pairs of names; a body has a few, a hostile file may have thousands.
   constexpr std::size_t kMostNames = 200;
   if (candidates.size() > kMostNames) {
     limb.why = std::to_string(candidates.size()) + " joints are named like it";
     return limb;
   }
-  std::optional<Chain> chain = named_chain(finder, family, candidates, reason);
+  std::optional<Chain> chain = named_chain(finder, family, candidates, limb.why);
   if (!chain) chain = numbered_chain(finder, family, candidates);
-  if (!chain) {
-    limb.why = reason;
-    return limb;
-  }
+  if (!chain) return limb;
   const double upper = finder.distance(chain->root, chain->middle);
   const double fore = finder.distance(chain->middle, chain->end);
   const double least = 1e-6 * std::max(finder.figure.character.height, upper + fore);
@@ -402,11 +377,6 @@ NamedLimb find_one(const Finder& finder, const Family& family, LimbKind kind,
 }
 
 }  // namespace
-
-std::string quoted_joint(const Model& model, int joint) {
-  const std::string& text = model.skeleton.joints[static_cast<std::size_t>(joint)].name;
-  return text.empty() ? "node " + std::to_string(joint) : "'" + text + "'";
-}
 
 std::array<NamedLimb, 4> find_named_limbs(const BoundFigure& figure,
                                           const std::vector<int>& members) {

@@ -24,7 +24,4 @@ struct NamedLimb {
 std::array<NamedLimb, 4> find_named_limbs(const BoundFigure& figure,
                                           const std::vector<int>& members);
 
-// A joint's name in quotes, or its node index.
-std::string quoted_joint(const Model& model, int joint);
-
 }  // namespace elbowroom

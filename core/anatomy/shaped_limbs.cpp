@@ -165,7 +165,7 @@ class Finder {
   double together(const Pair& arms, const Pair& legs) const {
     if (&arms == &legs || arms.arm.cost > kMostCost || legs.leg.cost > kMostCost) return 0;
     const double arm = arms.arm.length, leg = legs.leg.length;
-    if (!(arm < 2.5 * leg && leg < 4 * arm) || !apart(arms, legs)) return 0;
+    if (!(arm < 3 * leg && leg < 6 * arm) || !apart(arms, legs)) return 0;
     const Vec3 shoulders = middle(arms, arms.arm, &ChainFit::root);
     const Vec3 hips = middle(legs, legs.leg, &ChainFit::root);
     const Vec3 trunk = shoulders - hips;
@@ -182,11 +182,25 @@ class Finder {
     value *= 1.0 + 0.5 * std::clamp(away, -1.0, 1.0);
     const int arms_depth = depth(arms.above), legs_depth = depth(legs.above);
     if (arms_depth != legs_depth) value *= legs_depth < arms_depth ? 1.25 : 0.8;
+    // Hair and ears leave the trunk beyond the arms.
+    if (outdone(arms, legs)) value *= 0.75;
     // Standing in the file's own up they are the lower ones.
     const Vec3 arm_ends = middle(arms, arms.arm, &ChainFit::end);
     const Vec3 leg_ends = middle(legs, legs.leg, &ChainFit::end);
     value *= leg_ends.y < arm_ends.y ? 1.1 : 0.9;
     return value;
+  }
+
+  // Whether a pair that could be arms leaves the trunk between the legs and this one.
+  bool outdone(const Pair& arms, const Pair& legs) const {
+    const Skeleton& skeleton = figure_.model.skeleton;
+    return std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& other) {
+      return other.above >= 0 && arms.above >= 0 && other.above != arms.above &&
+             skeleton.is_within(arms.above, other.above) &&
+             (legs.above < 0 || !skeleton.is_within(legs.above, other.above)) &&
+             other.arm.cost <= kMostCost && other.arm.length > 0.6 * arms.arm.length &&
+             apart(other, legs);
+    });
   }
 
   int depth(int joint) const {

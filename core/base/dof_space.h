@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
+
 namespace elbowroom {
 
 inline constexpr int kMaxDofs = 16;
@@ -40,14 +42,35 @@ struct EllipseLimit {
   double half_first = 0, half_second = 0;
 };
 
+// A swing's limit as a spherical polygon: its corners are swings (q[first], q[second]), radians, in
+// counter-clockwise order; convex, with the zero pose inside. Its edges are straight in the
+// parameters, which is what keeps limits convex in them; as arcs on the sphere of the bone's
+// directions they are those of the swing's own chart, straight through the zero pose.
+struct PolygonLimit {
+  int first = 0, second = 0;
+  std::vector<std::array<double, 2>> corners;
+
+  // By how much (a, b) is out along its ray from zero: 1 on the border, below 1 inside. Infinite
+  // for what is no number or no polygon.
+  double gauge(double a, double b) const;
+};
+
+// The corners in order if they make such a polygon: at least three, finite, convex, with zero
+// inside. Corners on an edge are left out. Error: what is wrong with them.
+Result<PolygonLimit> make_polygon_limit(int first, int second,
+                                        std::vector<std::array<double, 2>> corners);
+
 struct DofSpace {
   std::vector<Dof> dofs;
   std::vector<EllipseLimit> ellipses;
+  std::vector<PolygonLimit> polygons;
 
   int count() const { return static_cast<int>(dofs.size()); }
-  // All ranges and ellipses hold within `tolerance` (radians; for an ellipse, on its value).
+  // All ranges, ellipses and polygons hold within `tolerance` (radians; for an ellipse or a
+  // polygon, on its value).
   bool within_limits(const Dofs& q, double tolerance = 1e-9) const;
-  // Widens ranges and ellipses just enough to hold q; returns the indices of DOFs widened.
+  // Widens ranges, ellipses and polygons (to their convex hull with q) just enough to hold q;
+  // returns the indices of DOFs widened.
   std::vector<int> widen_to(const Dofs& q);
 };
 

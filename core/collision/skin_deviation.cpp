@@ -62,6 +62,10 @@ SkinDeviation measure_skin_deviation(SceneCollision& scene, int limb, double t, 
       const double out = std::sqrt(x * x + y * y);
       if (out > 1) state.q[e.first] /= out, state.q[e.second] /= out;
     }
+    for (const PolygonLimit& p : model.space.polygons) {
+      const double out = p.gauge(state.q[p.first], state.q[p.second]);
+      if (out > 1) state.q[p.first] /= out, state.q[p.second] /= out;
+    }
     scene.pose_limb(limb, &state);
     data.pose(t);
     const auto& globals = data.states[static_cast<std::size_t>(data.actor)].world_from_joint;

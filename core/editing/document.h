@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "core/anatomy/limb.h"
 #include "core/animation/splice.h"
 #include "core/scene/scene_description.h"
 
@@ -96,6 +97,7 @@ struct Draft {
 
 struct Document {
   SceneDescription scene;
+  LimbOverrides limbs;  // which joints the animator says a limb has; by limb_id, or chains by name
   Draft draft;
   std::vector<Task> tasks;
   std::vector<Correction> corrections;  // in order: later ones lie over earlier ones

@@ -103,6 +103,11 @@ Dofs holding_velocity(const WindowProblem& p, const IkTarget& target, double t_b
     const double b = posture.state.q[ellipse.second] / ellipse.half_second;
     if (a * a + b * b > 1 - kAtLimit) velocity[ellipse.first] = velocity[ellipse.second] = 0;
   }
+  for (const PolygonLimit& polygon : p.space.polygons) {
+    if (polygon.gauge(posture.state.q[polygon.first], posture.state.q[polygon.second]) >
+        1 - kAtLimit)
+      velocity[polygon.first] = velocity[polygon.second] = 0;
+  }
   for (int d = 0; d < velocity.count; ++d) velocity[d] *= scale;
   return velocity;
 }

@@ -14,27 +14,37 @@ bool is_usual(const std::string& name) {
   return name.empty() || name == "auto";
 }
 
+// A contact is of one limb: those found that share joints with this one give way.
+void make_way_for(Session& session, const Limb& limb) {
+  const Skeleton& skeleton = session.scene.model().skeleton;
+  std::erase_if(session.findings.limbs, [&](const Limb& other) {
+    return skeleton.is_within(other.root, limb.root) || skeleton.is_within(limb.root, other.root);
+  });
+  session.findings.limbs.push_back(limb);
+}
+
 Status read_scene(const Document& document, Session& session) {
   session.document = document;
   auto scene = open_scene(document.scene);
   if (!scene) return scene.error();
   session.scene = std::move(*scene);
   session.warnings = session.scene.warnings;
-  session.findings = find_limbs(session.scene.model(), session.character());
+  session.findings = find_limbs(session.scene.model(), session.character(), document.limbs);
   for (const auto& warning : session.findings.warnings) session.warnings.push_back(warning);
+  for (const auto& [name, joints] : document.limbs) {
+    const auto set = std::find_if(session.findings.limbs.begin(), session.findings.limbs.end(),
+                                  [&](const Limb& limb) { return limb.name == name; });
+    if (set != session.findings.limbs.end()) make_way_for(session, Limb(*set));
+  }
   return Done{};
 }
 
-// Puts the limb named by its joints among those found. A contact is of one limb: those that share
-// joints with it give way.
+// Puts the limb named by its joints among those found.
 Status give_way_to(Session& session, const std::string& name) {
-  auto limb = limb_by_name(session.scene.model(), session.character(), name);
+  auto limb =
+      limb_by_name(session.scene.model(), session.character(), name, session.document.limbs);
   if (!limb) return limb.error();
-  const Skeleton& skeleton = session.scene.model().skeleton;
-  std::erase_if(session.findings.limbs, [&](const Limb& other) {
-    return skeleton.is_within(other.root, limb->root) || skeleton.is_within(limb->root, other.root);
-  });
-  session.findings.limbs.push_back(*limb);
+  make_way_for(session, *limb);
   return Done{};
 }
 

@@ -36,6 +36,24 @@ LimitExcess limit_excess(const DofSpace& space, const Dofs& q) {
                                        : -std::min(ellipse.half_first, ellipse.half_second);
     note(excess, a >= b ? ellipse.first : ellipse.second);
   }
+  for (const PolygonLimit& polygon : space.polygons) {
+    const double a = q[polygon.first], b = q[polygon.second];
+    const double ratio = polygon.gauge(a, b), length = std::hypot(a, b);
+    double excess = length * (1 - 1 / ratio);
+    if (!(ratio > 1e-9)) {
+      // In the middle there is no ray: the nearest edge is the distance.
+      double nearest = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
+        const auto& p = polygon.corners[i];
+        const auto& e = polygon.corners[(i + 1) % polygon.corners.size()];
+        nearest = std::min(
+            nearest, std::abs(p[0] * e[1] - p[1] * e[0]) / std::hypot(e[0] - p[0], e[1] - p[1]));
+      }
+      excess = -nearest;
+    }
+    if (std::isinf(ratio)) excess = ratio;
+    note(excess, std::abs(a) >= std::abs(b) ? polygon.first : polygon.second);
+  }
   return worst;
 }
 
@@ -65,6 +83,17 @@ Dofs clamp_to_limits(const DofSpace& space, Dofs q) {
         const double most = left > 0 ? half_moved * std::sqrt(left) * (1 - 1e-12) : 0.0;
         const Dof& dof = space.dofs[static_cast<std::size_t>(moved)];
         q[moved] = std::max(dof.lower, std::min(dof.upper, std::clamp(q[moved], -most, most)));
+      }
+    }
+  }
+  for (const PolygonLimit& polygon : space.polygons) {
+    for (int round = 0; round < 200; ++round) {
+      const double ratio = polygon.gauge(q[polygon.first], q[polygon.second]);
+      if (!(ratio > 1)) break;
+      const double shrink = std::isfinite(ratio) ? (1 - 1e-12) / ratio : 0.0;
+      for (const int i : {polygon.first, polygon.second}) {
+        const Dof& dof = space.dofs[static_cast<std::size_t>(i)];
+        q[i] = std::max(dof.lower, std::min(dof.upper, q[i] * shrink));
       }
     }
   }

@@ -13,12 +13,12 @@ struct LimitExcess {
   int dof = -1;        // whose limit that is; of an ellipse the DOF with the larger share
 };
 
-// The worst of all ranges and ellipses (along the ray from zero). Not a number counts as infinite.
-// Requires q.count == space.count().
+// The worst of all ranges, ellipses and polygons (along the ray from zero). Not a number counts as
+// infinite. Requires q.count == space.count().
 LimitExcess limit_excess(const DofSpace& space, const Dofs& q);
 
-// Ranges clamped, then pulled towards zero into the ellipses as far as the ranges allow. Keeps
-// limits that can be kept.
+// Ranges clamped, then pulled towards zero into ellipses and polygons as far as the ranges allow.
+// Keeps limits that can be kept.
 Dofs clamp_to_limits(const DofSpace& space, Dofs q);
 
 }  // namespace elbowroom

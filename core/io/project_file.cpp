@@ -186,8 +186,36 @@ std::string relative_to(const std::filesystem::path& folder, const std::filesyst
   return (relative.empty() ? absolute_file : relative).generic_string();
 }
 
+LimbOverrides limbs_of(const Json& object, const std::string& where) {
+  LimbOverrides limbs;
+  for (const auto& [name, value] : object_of(object, where).items()) {
+    const std::string place = where + "/" + name;
+    const Json& list = array_of(value, place);
+    if (name.empty() || (list.size() != 2 && list.size() != 3))
+      throw Damage{place,
+                   "this should be a limb's name with its first and last joint, or with a "
+                   "middle between them"};
+    LimbJoints& joints = limbs[name];
+    joints.from = text_of(list.front(), place);
+    joints.to = text_of(list.back(), place);
+    if (list.size() == 3) joints.middle = text_of(list[1], place);
+  }
+  return limbs;
+}
+
+Json json_of(const LimbOverrides& limbs) {
+  Json object = Json::object();
+  for (const auto& [name, joints] : limbs) {
+    Json& list = object[name] = Json::array({joints.from});
+    if (!joints.middle.empty()) list.push_back(joints.middle);
+    list.push_back(joints.to);
+  }
+  return object;
+}
+
 Document document_of(const Json& root, const std::filesystem::path& folder) {
   Document document;
+  if (root.contains("limbs")) document.limbs = limbs_of(root["limbs"], "/limbs");
   const Json& scene = object_of(member(root, "scene", "/"), "/scene");
   document.scene.character =
       resolved(folder, member(scene, "character", "/scene"), "/scene/character");
@@ -345,6 +373,7 @@ Status write_project(const std::filesystem::path& file, const Document& document
          {"joint", attached.joint},
          {"translation", json_of(attached.joint_from_object.translation)},
          {"rotation", json_of(attached.joint_from_object.rotation)}});
+  root["limbs"] = json_of(document.limbs);
   root["draft"] = json_of(document.draft);
   root["tasks"] = Json::array();
   for (const auto& task : document.tasks) {

@@ -7,6 +7,7 @@
 //       "scene": {"character": "ada.glb", "clip": "Walk", "obstacles": ["posts.glb"],
 //                 "attachments": [{"file": "umbrella.glb", "joint": "RightHand",
 //                                  "translation": [x, y, z], "rotation": [x, y, z, w]}]},
+//       "limbs": {"left_arm": ["Shoulder", "Wrist"], "tail": ["Tail1", "Tail3", "Tail6"]},
 //       "tasks": [{"kind": "correct", "name": "...", "limb": "right_arm", "window": [1.2, 2.05],
 //                  "seed": 7, "alternatives": 1, "clearance": 0, "max_iterations": 4000,
 //                  "max_seconds": 0, "sampling": {"Elbow, flexion": [1.2, 2.4]}}],
@@ -19,9 +20,10 @@
 //                                    "derivatives": [[x, y, z, w], ...]}]}]
 //     }
 //
-// A window that is absent or "auto" is automatic. A target without orientation leaves the hand
-// free. The draft is what the editor is preparing. Keys that this version doesn't know survive a
-// save over the same file, at the top level, in the scene, and in tasks and corrections.
+// Limbs set by hand go from a joint to one below it, or over a middle between them; others are
+// found. A window that is absent or "auto" is automatic. A target without orientation leaves the
+// hand free. The draft is what the editor is preparing. Keys that this version doesn't know survive
+// a save over the same file, at the top level, in the scene, and in tasks and corrections.
 #pragma once
 
 #include <filesystem>

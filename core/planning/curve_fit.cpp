@@ -123,6 +123,15 @@ class Fit {
         if (from.first == i) swing = std::max(swing, to.half_first - from.half_first);
         if (from.second == i) swing = std::max(swing, to.half_second - from.half_second);
       }
+      for (std::size_t e = 0; e < limits_.polygons.size(); ++e) {
+        const PolygonLimit& from = query_.space->polygons[e];
+        for (const auto& corner : limits_.polygons[e].corners) {
+          const double out = from.gauge(corner[0], corner[1]);
+          if (!(out > 1) || (from.first != i && from.second != i)) continue;
+          const double reach = std::abs(corner[from.first == i ? 0 : 1]);
+          swing = std::max(swing, reach * (1 - 1 / out));
+        }
+      }
       if (std::max(beyond, swing) > 1e-9) {
         result_.limit_excess.push_back({i, std::max(beyond, swing)});
       }

@@ -12,11 +12,14 @@ double progress_of(std::int64_t iteration, std::int64_t iterations) {
   return std::clamp(static_cast<double>(iteration) / static_cast<double>(iterations), 0.0, 1.0);
 }
 
-bool inside_ellipses(const DofSpace& space, const Dofs& q) {
+bool inside_swings(const DofSpace& space, const Dofs& q) {
   for (const EllipseLimit& e : space.ellipses) {
     const double x = q[e.first] / e.half_first;
     const double y = q[e.second] / e.half_second;
     if (!(x * x + y * y <= 1)) return false;
+  }
+  for (const PolygonLimit& polygon : space.polygons) {
+    if (!(polygon.gauge(q[polygon.first], q[polygon.second]) <= 1)) return false;
   }
   return true;
 }
@@ -112,7 +115,7 @@ bool sample_configuration(StateSpace& world, const SamplingQuery& query,
         c.q[i] = random.uniform(interval.lower, interval.upper);
       }
     }
-    if (!inside_ellipses(space, c.q)) {
+    if (!inside_swings(space, c.q)) {
       ++sampling.outside_limits;
       continue;
     }

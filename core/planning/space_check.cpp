@@ -49,6 +49,12 @@ std::string dof_space_fault(const DofSpace& space) {
       return "a swing ellipse has no proper half-axes";
     }
   }
+  for (const PolygonLimit& p : space.polygons) {
+    if (p.first >= space.count() || p.second >= space.count() ||
+        !make_polygon_limit(p.first, p.second, p.corners)) {
+      return "a swing polygon is no convex polygon about the zero pose";
+    }
+  }
   return {};
 }
 
@@ -83,6 +89,13 @@ std::string limit_fault(const DofSpace& space, const Dofs& q) {
       return dof_name(space, e.first) + " and " + dof_name(space, e.second) + " (" +
              number(q[e.first]) + ", " + number(q[e.second]) +
              " rad) lie outside their swing ellipse";
+    }
+  }
+  for (const PolygonLimit& p : space.polygons) {
+    if (!(p.gauge(q[p.first], q[p.second]) <= 1 + kTolerance)) {
+      return dof_name(space, p.first) + " and " + dof_name(space, p.second) + " (" +
+             number(q[p.first]) + ", " + number(q[p.second]) +
+             " rad) lie outside their swing polygon";
     }
   }
   return {};

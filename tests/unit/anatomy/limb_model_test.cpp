@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/anatomy/limb_clip.h"
+#include "core/anatomy/limits.h"
 #include "tests/unit/anatomy/synthetic_body.h"
 
 namespace elbowroom {
@@ -401,6 +402,42 @@ TEST(LimbClip, RatesAreTheCurvesOwnOnEitherSide) {
   for (const int side : {-1, 1}) {
     EXPECT_NEAR(limb_rates_at(arm, body.model, stepping, 0.5, side)[3], 0, 1e-6);
   }
+}
+
+TEST(LimbModel, SwingsMayBeBoundedByPolygons) {
+  const Body body = make_body({});
+  LimbModel arm = fit(body, LimbKind::left_arm);
+  const auto corners = polygon_of_ellipse(arm, LimbJointRole::root, 16);
+  ASSERT_EQ(corners.size(), 16u);
+  const DofSpace before = arm.space;
+  ASSERT_TRUE(set_swing_polygon(arm, LimbJointRole::root, corners).ok());
+  EXPECT_EQ(arm.space.ellipses.size(), before.ellipses.size() - 1);
+  ASSERT_EQ(arm.space.polygons.size(), 1u);
+  // It lies inside the ellipse it was made of, and holds most of it.
+  Random random(31);
+  int inside = 0, both = 0;
+  for (int n = 0; n < 4000; ++n) {
+    const Dofs q = random_within(before, random);
+    ++inside;
+    both += arm.space.within_limits(q);
+    const Dofs p = random_within(arm.space, random);
+    EXPECT_TRUE(before.within_limits(p, 1e-6));
+  }
+  EXPECT_GT(both, inside * 0.93);
+  // Edited again: the old one is gone. A narrower one narrows the ranges and sampling intervals.
+  ASSERT_TRUE(
+      set_swing_polygon(arm, LimbJointRole::root, {{0.5, -0.4}, {0.5, 0.4}, {-0.3, 0}}).ok());
+  EXPECT_EQ(arm.space.polygons.size(), 1u);
+  EXPECT_NEAR(arm.space.dofs[0].upper, 0.5, 1e-12);
+  EXPECT_NEAR(arm.space.dofs[0].sample_lower, -0.3, 1e-12);
+  EXPECT_NEAR(arm.space.dofs[1].lower, -0.4, 1e-12);
+  EXPECT_EQ(arm.space.dofs[2].upper, before.dofs[2].upper);
+  // What can't be changes nothing.
+  const DofSpace kept = arm.space;
+  EXPECT_FALSE(set_swing_polygon(arm, LimbJointRole::middle, corners).ok());
+  EXPECT_FALSE(set_swing_polygon(arm, LimbJointRole::root, {{1, 1}, {2, 1}, {2, 2}}).ok());
+  EXPECT_FALSE(set_swing_polygon(arm, LimbJointRole::root, {{3.2, 0}, {0, 1}, {-1, -1}}).ok());
+  EXPECT_EQ(arm.space.polygons[0].corners, kept.polygons[0].corners);
 }
 
 TEST(LimbModel, DegenerateRigsAreRefusedWithAReason) {

@@ -3,9 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
+#include <algorithm>
+
 #include <cmath>
 #include <limits>
 
+#include "core/base/math.h"
 #include "core/base/random.h"
 
 namespace elbowroom {
@@ -107,6 +112,96 @@ TEST(DofSpace, WideningNamesEachDofOnce) {
   EXPECT_FALSE(flat.within_limits(make(1, 0.1, 0)));
   EXPECT_EQ(flat.widen_to(make(1, 0.1, 0)), std::vector<int>{1});
   EXPECT_TRUE(flat.within_limits(make(1, 0.1, 0)));
+}
+
+DofSpace with_polygon(std::vector<std::array<double, 2>> corners) {
+  DofSpace space;
+  for (int i = 0; i < 2; ++i) {
+    Dof dof;
+    dof.lower = dof.sample_lower = -3;
+    dof.upper = dof.sample_upper = 3;
+    dof.speed_limit = 1;
+    space.dofs.push_back(dof);
+  }
+  const auto polygon = make_polygon_limit(0, 1, std::move(corners));
+  EXPECT_TRUE(polygon.ok());
+  if (polygon) space.polygons.push_back(*polygon);
+  return space;
+}
+
+Dofs two(double a, double b) {
+  Dofs q;
+  q.count = 2;
+  q[0] = a;
+  q[1] = b;
+  return q;
+}
+
+TEST(PolygonLimits, HoldWhatIsInside) {
+  // Either way round.
+  for (const bool turned : {false, true}) {
+    std::vector<std::array<double, 2>> corners = {{1, -0.5}, {1, 1}, {-0.5, 1}, {-0.5, -0.5}};
+    if (turned) std::reverse(corners.begin(), corners.end());
+    const DofSpace space = with_polygon(corners);
+    EXPECT_TRUE(space.within_limits(two(0, 0)));
+    EXPECT_TRUE(space.within_limits(two(1, 1)));
+    EXPECT_TRUE(space.within_limits(two(-0.5, 0.99)));
+    EXPECT_FALSE(space.within_limits(two(1.01, 0)));
+    EXPECT_FALSE(space.within_limits(two(0, -0.51)));
+    EXPECT_FALSE(space.within_limits(two(std::nan(""), 0)));
+    EXPECT_NEAR(space.polygons[0].gauge(0.5, 0), 0.5, 1e-12);
+    EXPECT_NEAR(space.polygons[0].gauge(0, -1), 2, 1e-12);
+  }
+}
+
+TEST(PolygonLimits, AreConvexSoThatEdgesKeepThem) {
+  const DofSpace space = with_polygon({{2, 0}, {0.5, 1.5}, {-1, 1}, {-1.5, -0.5}, {0.2, -2}});
+  Random random(4);
+  std::vector<Dofs> inside;
+  while (inside.size() < 200) {
+    const Dofs q = two(random.uniform(-3, 3), random.uniform(-3, 3));
+    if (space.within_limits(q)) inside.push_back(q);
+  }
+  for (std::size_t i = 1; i < inside.size(); ++i) {
+    for (double u = 0; u <= 1; u += 0.1) {
+      const Dofs& a = inside[i - 1];
+      const Dofs& b = inside[i];
+      EXPECT_TRUE(space.within_limits(two(a[0] + u * (b[0] - a[0]), a[1] + u * (b[1] - a[1]))));
+    }
+  }
+}
+
+TEST(PolygonLimits, WidenToTheHull) {
+  const DofSpace space = with_polygon({{1, 0}, {0, 1}, {-1, 0}, {0, -1}});
+  Random random(5);
+  for (int n = 0; n < 500; ++n) {
+    const Dofs q = two(random.uniform(-2.9, 2.9), random.uniform(-2.9, 2.9));
+    DofSpace wide = space;
+    const auto widened = wide.widen_to(q);
+    EXPECT_EQ(widened.empty(), space.within_limits(q, 0));
+    EXPECT_TRUE(wide.within_limits(q));
+    for (const auto& corner : space.polygons[0].corners)
+      EXPECT_TRUE(wide.within_limits(two(corner[0], corner[1])));
+    EXPECT_TRUE(make_polygon_limit(0, 1, wide.polygons[0].corners).ok());
+  }
+}
+
+TEST(PolygonLimits, WhatIsNoPolygonAboutZeroIsRefused) {
+  using Corners = std::vector<std::array<double, 2>>;
+  const double nan = std::nan("");
+  Corners star;
+  for (int i = 0; i < 5; ++i)
+    star.push_back({std::cos(i * 4 * kPi / 5), std::sin(i * 4 * kPi / 5)});
+  for (const Corners& corners :
+       {Corners{}, Corners{{1, 0}, {0, 1}}, Corners{{1, 0}, {0, 1}, {nan, 0}},
+        Corners{{1, 1}, {2, 1}, {2, 2}, {1, 2}}, Corners{{1e3, 0}, {0, 1}, {-1, -1}},
+        Corners{{1, 0}, {0, 1}, {-1, 0}}, Corners{{2, 0}, {0.1, 0.1}, {0, 2}, {-1, -1}}, star}) {
+    const auto polygon = make_polygon_limit(0, 1, corners);
+    ASSERT_FALSE(polygon.ok()) << corners.size();
+    EXPECT_FALSE(polygon.error().what.empty());
+  }
+  EXPECT_FALSE(make_polygon_limit(1, 1, {{1, 0}, {0, 1}, {-1, -1}}).ok());
+  EXPECT_TRUE(make_polygon_limit(0, 1, {{1, 0}, {0, 1}, {-1, -1}}).ok());
 }
 
 }  // namespace

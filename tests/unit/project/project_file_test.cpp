@@ -42,6 +42,7 @@ Document full_document(const std::filesystem::path& folder) {
   attached.joint_from_object.translation = {0.1, 1.0 / 3.0, -2e-17};
   attached.joint_from_object.rotation = glm::normalize(Quat(0.9, 0.1, 0.2, 0.3));
   document.scene.attachments = {attached};
+  document.limbs = {{"left_arm", {"Shoulder", "", "Wrist"}}, {"tail", {"T1", "T3 \xc3\xa9", "T6"}}};
   Task task;
   task.name = "past the post";
   task.limb = "right_arm";
@@ -66,6 +67,25 @@ Document full_document(const std::filesystem::path& folder) {
   return document;
 }
 
+TEST_F(ProjectFile, LimbsSetByHandAreCheckedAndCanBeTakenBack) {
+  Document document = full_document(folder_);
+  ASSERT_TRUE(write_project(folder_ / "p.elbow", document).ok());
+  EXPECT_EQ(saved()["limbs"]["left_arm"], nlohmann::json::parse(R"(["Shoulder", "Wrist"])"));
+  document.limbs.clear();
+  ASSERT_TRUE(write_project(folder_ / "p.elbow", document).ok());
+  const auto read = read_project(folder_ / "p.elbow");
+  ASSERT_TRUE(read.ok());
+  EXPECT_TRUE(read->limbs.empty());
+  for (const char* limbs : {R"([])", R"({"left_arm": "A..B"})", R"({"left_arm": ["A"]})",
+                            R"({"left_arm": ["A", "B", "C", "D"]})", R"({"left_arm": [1, 2]})",
+                            R"({"": ["A", "B"]})", R"({"left_arm": {"from": "A"}})"}) {
+    put(std::string(R"({"version": 1, "scene": {"character": "a.glb"}, "limbs": )") + limbs + "}");
+    const auto damaged = read_project(folder_ / "p.elbow");
+    ASSERT_FALSE(damaged.ok()) << limbs;
+    EXPECT_NE(damaged.error().where.find("/limbs"), std::string::npos) << damaged.error().message();
+  }
+}
+
 TEST_F(ProjectFile, EverythingComesBackToTheBit) {
   const Document document = full_document(folder_);
   ASSERT_TRUE(write_project(folder_ / "p.elbow", document).ok());
@@ -73,6 +93,7 @@ TEST_F(ProjectFile, EverythingComesBackToTheBit) {
   ASSERT_TRUE(read.ok()) << read.error().message();
   EXPECT_EQ(read->scene.character.lexically_normal(), document.scene.character);
   EXPECT_EQ(read->scene.clip, document.scene.clip);
+  EXPECT_EQ(read->limbs, document.limbs);
   EXPECT_EQ(read->scene.obstacles.at(0).lexically_normal(), document.scene.obstacles[0]);
   const auto& attached = read->scene.attachments.at(0);
   EXPECT_EQ(attached.joint, "RightHand");
