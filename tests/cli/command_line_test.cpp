@@ -54,6 +54,27 @@ TEST(Info, SaysWhatIsThereAsJson) {
   EXPECT_TRUE(json["warnings"].is_array());
 }
 
+TEST(Info, SaysWhatAProjectSetsByHand) {
+  const Folder folder;
+  const nlohmann::json project = {
+      {"version", 1},
+      {"scene", {{"character", kMannequin}}},
+      {"limbs",
+       {{"left_arm", {"LeftShoulder", "LeftHand"}}, {"right_leg", {"Nobody", "RightFoot"}}}}};
+  std::ofstream(folder / "p.elbow") << project.dump();
+  const auto info = run({"info", folder / "p.elbow", "--json"});
+  ASSERT_EQ(info.exit_code, 0) << info.err;
+  const auto json = nlohmann::json::parse(info.out, nullptr, false);
+  ASSERT_FALSE(json.is_discarded());
+  const auto& limbs = json["characters"][0]["limbs"];
+  EXPECT_EQ(limbs["left_arm"]["root"], "LeftShoulder");
+  // What can't be is said, and found as if it had not been set.
+  EXPECT_EQ(limbs["right_leg"]["root"], "RightUpperLeg");
+  EXPECT_TRUE(std::any_of(json["warnings"].begin(), json["warnings"].end(), [](const auto& text) {
+    return text.template get<std::string>().find("Nobody") != std::string::npos;
+  }));
+}
+
 TEST(Usage, WrongUsageIsOne) {
   for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
            {},
