@@ -83,8 +83,12 @@ class Search {
       // there takes up is given up, as the position already is.
       greedy(start_, true);
       if (rank_ == kNone && target_.orientation) {
-        target_.orientation.reset();
-        greedy(start_, true);
+        const IkTarget place{target_.position, {}};
+        // An orientation that is none is no reason to pass it over.
+        if (!ik_.may_reach(place)) {
+          target_ = place;
+          greedy(start_, true);
+        }
       }
       return finish();
     }
