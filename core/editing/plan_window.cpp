@@ -144,18 +144,16 @@ class WindowPlanner {
                                  (report_.blocked_by.empty() ? "" : "; " + report_.blocked_by));
       return;
     }
-    verify_ways(
-        view, ways,
-        said + std::to_string(ways.size()) + " of " + std::to_string(seeds) + " seeds planned, ");
+    verify_ways(ways, said + std::to_string(ways.size()) + " of " + std::to_string(seeds) +
+                          " seeds planned, ");
   }
 
-  void verify_ways(const PlanningView& view, const std::vector<Way>& ways,
-                   const std::string& said) {
+  void verify_ways(const std::vector<Way>& ways, const std::string& said) {
     int verified = 0;
     std::string found;
     for (const Way& way : ways) {
       if (stop_.stop_requested() || verified >= kVerifiedInAView * asked_) break;
-      if (!held_.empty() && is_known(view, way.motion)) continue;
+      if (!held_.empty() && is_known(way.motion)) continue;
       ++verified;
       WindowReport report = report_;
       const std::string hit = verify(way, report);
@@ -177,10 +175,12 @@ class WindowPlanner {
     report_.attempts.push_back(said + found);
   }
 
-  // Another look of a way that is held already; one that is not proven may be replaced.
-  bool is_known(const PlanningView& view, const Motion& motion) {
+  // Another look of a way that is held already; one that is not proven may be replaced. What lies
+  // between two looks may come nearer than the clearance asked for, but not touch.
+  bool is_known(const Motion& motion) {
     if (asked_ == 1) return false;
-    PlanningWorld world(p_, view);
+    const double least = 2 * touching();
+    PlanningWorld world(p_, {false, least, least, 0, 0});
     return std::any_of(held_.begin(), held_.end(), [&](const Held& held) {
       return held.report.certified && same_way_around(world, p_, held.motion, motion);
     });
