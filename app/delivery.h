@@ -14,7 +14,7 @@ namespace elbowroom {
 
 struct DeliveryPlaces {
   std::filesystem::path out;
-  std::string report;              // may be empty
+  std::string report;                // may be empty
   std::filesystem::path per_file{};  // folder for the source's own name; may be empty
 };
 
