@@ -16,6 +16,7 @@ constexpr double kScanRate = 120;  // Hz, of the contacts listed before and afte
 // move naturally.
 constexpr double kWider[] = {0.25, 0.6};  // s, on each side
 constexpr double kHurried = 0.3;          // a cost worth a try with more time
+constexpr std::size_t kEasyAttempts = 2;  // views of the world that it took
 
 bool involves(const ContactInterval& contact, const std::vector<int>& limbs) {
   return std::find(limbs.begin(), limbs.end(), contact.deepest.limb) != limbs.end();
@@ -29,7 +30,9 @@ WindowPlan plan_with_time(SceneCollision& scene, const std::shared_ptr<const Cli
   WindowPlan best =
       plan_window(scene, clip, limb, window.begin, window.end, wishes, stop, progress);
   for (const double by : kWider) {
-    if (stop.stop_requested() || (best.correction && best.report.cost < kHurried)) break;
+    // What was hard to find at all is not looked for again for the sake of its pace.
+    const bool easy = best.report.attempts.size() <= kEasyAttempts;
+    if (stop.stop_requested() || (best.correction && (best.report.cost < kHurried || !easy))) break;
     auto wide = widened_window(scene, limb, {window.begin, window.end}, by, clearance);
     if (!wide) continue;
     // Not into the windows beside it.

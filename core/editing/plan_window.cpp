@@ -12,7 +12,7 @@ namespace elbowroom {
 namespace {
 
 constexpr int kWays = 4;              // motions planned in one view, at least, for each asked for
-constexpr int kWaysOnSkin = 2;        // where one costs a hundred times more
+constexpr int kWaysOnSkin = 1;        // where one costs a hundred times more
 constexpr int kHopeless = 2;          // seeds without a path, after which a view is given up
 constexpr double kGoodEnough = 0.02;  // a cost at which no more ways are looked for
 constexpr int kVerifiedInAView = 3;   // at most, for each asked for
