@@ -35,7 +35,7 @@ int run_check(const CheckOptions& options, std::stop_token stop) {
   if (!scene) return refuse(scene.error());
   std::vector<ContactInterval> contacts, others;
   const auto& clip = session->clip();
-  for (auto& contact : scene->scan(clip->begin, clip->end, kScanRate, -1, false))
+  for (auto& contact : scene->scan(clip->begin, clip->end, kScanRate, -1, false, stop))
     (contact.deepest.limb < 0 ? others : contacts).push_back(contact);
   clear_progress();
   if (stop.stop_requested()) return kExitInterrupted;

@@ -109,6 +109,24 @@ double AllowedPatches::depth_about(int part_a, int part_b, double t, double memo
   return deepest;
 }
 
+bool AllowedPatches::clip_touches(std::size_t at, double from, double to, double memory) const {
+  const auto known = clip_times.find(static_cast<std::uint32_t>(at));
+  if (known == clip_times.end()) return false;
+  // The first that does not end too early for `to`.
+  const auto& times = known->second;
+  const auto touching =
+      std::lower_bound(times.begin(), times.end(), to - memory,
+                       [](const Stretch& stretch, double time) { return stretch.end < time; });
+  return touching != times.end() && touching->begin <= from + memory;
+}
+
+std::vector<bool> AllowedPatches::allowed_throughout(double from, double to, double memory) const {
+  std::vector<bool> allowed = always;
+  for (const auto& [at, times] : clip_times)
+    if (clip_touches(at, from, to, memory)) allowed[at] = true;
+  return allowed;
+}
+
 bool AllowedPatches::empty() const {
   return std::all_of(reasons.begin(), reasons.end(), [](std::uint8_t r) { return r == 0; });
 }

@@ -100,8 +100,9 @@ struct Proof {
     return kMore * (data.touching() + slack);
   }
 
-  // The pair cannot touch within the interval.
-  bool pair_free(TestPair& pair) {
+  // The pair cannot touch within [begin, end], the interval that is looked at, but where the clip
+  // itself does then.
+  bool pair_free(TestPair& pair, double begin, double end) {
     ++certificate.pair_checks;
     const NodeReference from = reference_of(data, pair, limb);
     TriangleReach reach;
@@ -113,20 +114,17 @@ struct Proof {
     if (!a.box().within(b.box(), most)) return true;
     reach.of_a = by_triangle(from, pair.a);
     reach.of_b = by_triangle(from, pair.b);
-    const PatchFilter filter = pair.allowed ? patch_filter(a, b, pair.allowed->any) : PatchFilter{};
-    if (reach_each_other(a.mesh(), b.mesh(), data.a_from_b(pair), reach, filter, &pair.cache))
-      return false;
-    if (pair.allowed && !pair.allowed->clip_depth.empty()) note_depth(pair, a, b, reach);
-    return true;
-  }
-
-  // Patches that the clip allows and that could meet within the interval.
-  void note_depth(const TestPair& pair, const CollisionBody& a, const CollisionBody& b,
-                  const TriangleReach& reach) {
-    if (!reach_each_other(a.mesh(), b.mesh(), data.a_from_b(pair), reach,
-                          patch_filter(a, b, pair.allowed->always)))
-      return;
+    const auto reached = [&](const PatchFilter& filter) {
+      return reach_each_other(a.mesh(), b.mesh(), data.a_from_b(pair), reach, filter, &pair.cache);
+    };
+    if (!reached(pair.allowed ? patch_filter(a, b, pair.allowed->always) : PatchFilter{}))
+      return true;
+    if (!pair.allowed || pair.allowed->clip_depth.empty()) return false;
+    // What the clip touches at these very times may touch, and how deep is known at samples only.
+    const auto allowed = pair.allowed->allowed_throughout(begin, end, data.clip_memory);
+    if (reached(patch_filter(a, b, allowed))) return false;
     for (const auto& [parts, depth] : pair.allowed->clip_depth) depth_sampled.insert(parts);
+    return true;
   }
 
   bool fail(const TestPair* pair, double t, const std::string& why) {
@@ -157,7 +155,7 @@ struct Proof {
     std::vector<TestPair>& pairs = data.pairs_now().pairs;
     std::vector<std::size_t> open;
     for (const std::size_t k : asked)
-      if (!pair_free(pairs[k])) open.push_back(k);
+      if (!pair_free(pairs[k], begin, end)) open.push_back(k);
     if (open.empty()) {
       certificate.shortest = std::min(certificate.shortest, end - begin);
       return true;

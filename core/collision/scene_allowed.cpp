@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -87,36 +86,29 @@ std::vector<double> clip_times(const Data& data) {
   return times;
 }
 
-using DepthByParts = std::map<std::pair<int, int>, double>;
+// What the clip has in contact over time, gathered aside: what is allowed so far must not split the
+// contacts of two parts, which are measured as one.
+struct ClipTouch {
+  AllowedPatches found;
+  std::map<std::uint32_t, int> look_of;  // by pair of patches: the look that saw it last
+};
 
-// The patches the clip has in contact now. `last` holds how deep they were at the time looked at
-// before; between two looks the clip may be deeper than at either, by half their difference at the
-// slopes seen.
-void allow_from_clip(Data& data, TestPair& pair, std::optional<DepthByParts>& looked) {
-  const bool first = !looked;
-  const DepthByParts before = first ? DepthByParts{} : std::move(*looked);
-  DepthByParts& last = looked.emplace();
+// One look at the clip as it is posed. Between two looks nothing is guessed: what the clip has at
+// the very time that is asked about is allowed by definition (excuse_by_source).
+void look_at_clip(Data& data, TestPair& pair, int look, ClipTouch& touch) {
   const auto touching = contact_groups(data, pair, data.touching(), &pair.allowed->always);
-  if (touching.empty() && before.empty()) return;
-  std::set<std::pair<int, int>> parts;
+  if (touching.empty()) return;
+  AllowedPatches& found = touch.found;
+  std::map<std::pair<int, int>, double> parts;
   for (const ContactGroup& group : touching) {
-    parts.emplace(group.part_a, group.part_b);
-    double& now = last[{group.part_a, group.part_b}];
+    double& now = parts[{group.part_a, group.part_b}];
     now = std::max(now, group.depth);
   }
-  const auto deepen = [&](const std::pair<int, int>& key, double now, double then) {
-    double& depth = pair.allowed->clip_depth[key];
-    const double about = std::max(now, then) + 0.5 * std::abs(now - then);
-    depth = std::max(depth, about);
-    pair.allowed->clip_depths[key].push_back({data.posed_at, about});
-  };
-  for (const auto& [key, now] : last) {
-    const auto earlier = before.find(key);
-    // Of what came before the first look nothing is known, nor asked.
-    deepen(key, now, first ? now : earlier == before.end() ? 0.0 : earlier->second);
+  for (const auto& [key, now] : parts) {
+    double& depth = found.clip_depth[key];
+    depth = std::max(depth, now);
+    found.clip_depths[key].push_back({data.posed_at, now});
   }
-  for (const auto& [key, then] : before)
-    if (!last.contains(key)) deepen(key, 0.0, then);
   // Where two parts are in contact, what is near beside it is part of the same touching: an arm
   // that rests on a coat slides over it as it moves, and stays as shallow as the clip has it.
   const auto near = contact_groups(
@@ -124,7 +116,26 @@ void allow_from_clip(Data& data, TestPair& pair, std::optional<DepthByParts>& lo
       &pair.allowed->always, Depth::left_out);
   for (const ContactGroup& group : near)
     if (parts.contains({group.part_a, group.part_b}))
-      for (const auto& [p, q] : group.patch_pairs) pair.allowed->allow(p, q, AllowedPatches::kClip);
+      for (const auto& [p, q] : group.patch_pairs) {
+        const std::uint32_t at =
+            static_cast<std::uint32_t>(p) * static_cast<std::uint32_t>(pair.allowed->patches_b) + q;
+        auto& stretches = found.clip_times[at];
+        const auto [seen, fresh] = touch.look_of.try_emplace(at, look);
+        if (fresh || seen->second != look - 1)
+          stretches.push_back({data.posed_at, data.posed_at});
+        else
+          stretches.back().end = data.posed_at;
+        seen->second = look;
+      }
+}
+
+void allow_from_clip(ClipTouch&& touch, AllowedPatches& allowed) {
+  for (const auto& [at, stretches] : touch.found.clip_times)
+    allowed.allow(static_cast<int>(at) / allowed.patches_b,
+                  static_cast<int>(at) % allowed.patches_b, AllowedPatches::kClip);
+  allowed.clip_depth = std::move(touch.found.clip_depth);
+  allowed.clip_depths = std::move(touch.found.clip_depths);
+  allowed.clip_times = std::move(touch.found.clip_times);
 }
 
 void list_entries(Data& data) {
@@ -199,16 +210,19 @@ bool find_allowed_contacts(Data& data, const std::stop_token& stop) {
   }
 
   // Over the clip.
-  std::map<std::pair<int, int>, std::optional<DepthByParts>> last;  // by bodies
+  std::map<std::pair<int, int>, ClipTouch> touches;  // by bodies
   const std::vector<double> times = clip_times(data);
   for (std::size_t i = 1; i < times.size(); ++i)
     data.clip_memory = std::max(data.clip_memory, 2 * (times[i] - times[i - 1]));
-  for (const double t : times) {
+  for (std::size_t i = 0; i < times.size(); ++i) {
     if (stop.stop_requested()) return false;
-    data.pose(t, true);
+    data.pose(times[i], true);
     for (TestPair& pair : data.pairs_now().pairs)
-      if (pair.clip_may_allow) allow_from_clip(data, pair, last[{pair.a, pair.b}]);
+      if (pair.clip_may_allow)
+        look_at_clip(data, pair, static_cast<int>(i), touches[{pair.a, pair.b}]);
   }
+  for (auto& [bodies, touch] : touches)
+    allow_from_clip(std::move(touch), data.allowed_pairs.at(bodies));
   data.posed = false;
   list_entries(data);
   return true;

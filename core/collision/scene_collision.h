@@ -103,9 +103,10 @@ class SceneCollision {
   double limb_clearance_from_scene(double t, int limb, double at_most);
 
   // Contacts over [begin, end] sampled at `rate` Hz (and at the clip's keys and both sides of its
-  // steps), merged into intervals whose ends are bisected to 1e-4 s.
+  // steps), merged into intervals whose ends are bisected to 1e-4 s. Stopped, it gives what it has
+  // within some milliseconds: ask the token before using it.
   std::vector<ContactInterval> scan(double begin, double end, double rate, int only_limb,
-                                    bool list_allowed);
+                                    bool list_allowed, const std::stop_token& stop = {});
 
   struct Data;
   Data& data() { return *data_; }

@@ -138,12 +138,13 @@ struct ContactGroup {
   bool contained = false;
   std::vector<std::uint16_t> patches_a, patches_b;                   // ascending, unique
   std::vector<std::pair<std::uint16_t, std::uint16_t>> patch_pairs;  // ascending, unique
-  double depth = 0;
+  double depth = 0;                                                  // negative: not measured
 };
 // With the bodies as they are posed. `skip`: pairs of patches to pass over, or null. With depth
 // measured, for groups that are not allowed or allowed by the clip, those deeper than the clip has
-// them lose their reason; without, patches alone decide.
-enum class Depth { measured, left_out };
+// them lose their reason; of_the_clips, only those are measured and the others' depth is -1;
+// without, patches alone decide.
+enum class Depth { measured, of_the_clips, left_out };
 std::vector<ContactGroup> contact_groups(SceneCollision::Data& data, const TestPair& pair,
                                          double distance, const std::vector<bool>* skip,
                                          Depth depth = Depth::measured);

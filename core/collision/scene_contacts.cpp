@@ -60,10 +60,17 @@ bool same_parts(const ContactGroup& a, const ContactGroup& b) {
   return a.part_a == b.part_a && a.part_b == b.part_b;
 }
 
+double depth_of(Data& data, const TestPair& pair, const ContactGroup& group) {
+  const CollisionBody &a = data.placed(pair.a), &b = data.placed(pair.b);
+  return group.contained ? penetration_depth(a.mesh(), b.mesh(), data.a_from_b(pair))
+                         : contact_depth(a, group.patches_a, b, group.patches_b);
+}
+
 // Contacts that the clip has at this very time are allowed by definition, whether or not the scan
 // that gathered patches looked at this time: those of `groups` are marked as the clip's where it
 // has the same patches in contact, as deep. What is no contact but nearer than `distance` is so
-// where the clip has the two parts as near. Leaves the source clip posed.
+// where the clip has the two parts as near. Depths are costly and measured last, where all else
+// speaks for the contact. May leave the source clip posed.
 void excuse_by_source(Data& data, const TestPair& pair, double distance,
                       std::vector<ContactGroup>& groups) {
   std::vector<ContactGroup> touching_now;
@@ -72,10 +79,12 @@ void excuse_by_source(Data& data, const TestPair& pair, double distance,
   const double t = data.posed_at;
   data.pose(t, true);
   // What is near in the clip serves too, as in the scan, where the parts are in contact at all.
-  const auto touching = contact_groups(data, pair, data.touching(), nullptr);
+  const auto touching = contact_groups(data, pair, data.touching(), nullptr, Depth::left_out);
   const auto near =
       contact_groups(data, pair, std::max(distance, data.settings.clearance * data.height), nullptr,
                      Depth::left_out);
+  std::map<std::pair<int, int>, double> depth_in_clip;  // by parts
+  std::vector<ContactGroup*> candidates;
   for (ContactGroup& group : groups) {
     if (group.reason != 0) continue;
     const auto same = [&](const ContactGroup& other) { return same_parts(group, other); };
@@ -84,17 +93,25 @@ void excuse_by_source(Data& data, const TestPair& pair, double distance,
       if (std::any_of(near.begin(), near.end(), same)) group.reason = AllowedPatches::kClip;
       continue;
     }
-    double depth = -1;
+    if (std::none_of(touching.begin(), touching.end(), same)) continue;
     std::vector<std::pair<std::uint16_t, std::uint16_t>> patches;
-    for (const ContactGroup& g : touching)
-      if (same(g)) depth = std::max(depth, g.depth);
     for (const ContactGroup& g : near)
       if (same(g)) patches.insert(patches.end(), g.patch_pairs.begin(), g.patch_pairs.end());
     sort_unique(patches);
-    if (depth >= 0 && group.depth <= depth + data.touching() &&
-        std::includes(patches.begin(), patches.end(), group.patch_pairs.begin(),
-                      group.patch_pairs.end()))
-      group.reason = AllowedPatches::kClip;
+    if (!std::includes(patches.begin(), patches.end(), group.patch_pairs.begin(),
+                       group.patch_pairs.end()))
+      continue;
+    double& depth = depth_in_clip.try_emplace({group.part_a, group.part_b}, 0.0).first->second;
+    for (const ContactGroup& g : touching)
+      if (same(g)) depth = std::max(depth, depth_of(data, pair, g));
+    candidates.push_back(&group);
+  }
+  if (candidates.empty()) return;
+  data.pose(t);
+  for (ContactGroup* group : candidates) {
+    if (group->depth < 0) group->depth = depth_of(data, pair, *group);
+    if (group->depth <= depth_in_clip[{group->part_a, group->part_b}] + data.touching())
+      group->reason = AllowedPatches::kClip;
   }
 }
 
@@ -207,6 +224,11 @@ std::vector<ContactGroup> contact_groups(Data& data, const TestPair& pair, doubl
                 skip ? patch_filter(a, b, *skip) : PatchFilter{}, contacts);
   const bool same_body = data.roles[static_cast<std::size_t>(pair.a)].own &&
                          data.roles[static_cast<std::size_t>(pair.b)].own;
+  const auto clip_has = [&](std::uint16_t p, std::uint16_t q) {
+    const std::size_t at =
+        static_cast<std::size_t>(p) * static_cast<std::size_t>(pair.allowed->patches_b) + q;
+    return pair.allowed->clip_touches(at, data.posed_at, data.posed_at, data.clip_memory);
+  };
   std::map<std::tuple<int, int, std::uint8_t>, std::size_t> number;
   for (const TriangleContact& contact : contacts) {
     const std::uint16_t p = a.patch_of()[contact.triangle_a], q = b.patch_of()[contact.triangle_b];
@@ -218,7 +240,8 @@ std::vector<ContactGroup> contact_groups(Data& data, const TestPair& pair, doubl
       continue;
     const int part_a = a.triangles()[contact.triangle_a].part;
     const int part_b = b.triangles()[contact.triangle_b].part;
-    const std::uint8_t reason = pair.allowed ? strongest(pair.allowed->reasons_of(p, q)) : 0;
+    std::uint8_t reason = pair.allowed ? strongest(pair.allowed->reasons_of(p, q)) : 0;
+    if (reason == AllowedPatches::kClip && !clip_has(p, q)) reason = 0;
     const auto [at, fresh] = number.try_emplace({part_a, part_b, reason}, groups.size());
     if (fresh) {
       groups.emplace_back();
@@ -240,8 +263,11 @@ std::vector<ContactGroup> contact_groups(Data& data, const TestPair& pair, doubl
     if (depth == Depth::left_out || group.reason == AllowedPatches::kShared ||
         group.reason == AllowedPatches::kBind)
       continue;
-    group.depth = group.contained ? penetration_depth(a.mesh(), b.mesh(), a_from_b)
-                                  : contact_depth(a, group.patches_a, b, group.patches_b);
+    if (depth == Depth::of_the_clips && group.reason != AllowedPatches::kClip) {
+      group.depth = -1;
+      continue;
+    }
+    group.depth = depth_of(data, pair, group);
     if (group.reason != AllowedPatches::kClip) continue;
     // No deeper than the clip has these two parts about this time.
     const double limit =
@@ -259,7 +285,7 @@ bool Data::pair_in_contact(TestPair& pair, double distance) {
     return elbowroom::in_contact(a.mesh(), b.mesh(), relative, distance, {}, &pair.cache);
 
   const auto wrong_at = [&](double at_distance, const std::vector<bool>& skip) {
-    auto groups = contact_groups(*this, pair, at_distance, &skip);
+    auto groups = contact_groups(*this, pair, at_distance, &skip, Depth::of_the_clips);
     excuse_by_clip(*this, pair, at_distance, groups);
     return any_not_allowed(groups);
   };

@@ -89,7 +89,8 @@ struct Scan {
 }  // namespace
 
 std::vector<ContactInterval> SceneCollision::scan(double begin, double end, double rate,
-                                                  int only_limb, bool list_allowed) {
+                                                  int only_limb, bool list_allowed,
+                                                  const std::stop_token& stop) {
   std::vector<ContactInterval> intervals;
   Data& data = *data_;
   if (!(std::isfinite(begin) && std::isfinite(end) && begin <= end) || !data.knows(only_limb))
@@ -101,6 +102,7 @@ std::vector<ContactInterval> SceneCollision::scan(double begin, double end, doub
   double before = begin;
   bool first = true;
   for (const double t : scan_times(data, begin, end, rate)) {
+    if (stop.stop_requested()) break;
     now.clear();
     data.pose(t);
     for (TestPair& pair : data.pairs_now().pairs) {

@@ -22,6 +22,18 @@ bool involves(const ContactInterval& contact, const std::vector<int>& limbs) {
   return std::find(limbs.begin(), limbs.end(), contact.deepest.limb) != limbs.end();
 }
 
+// What a plan that was not taken cost is part of the whole.
+void add_costs(const WindowReport& spent, WindowReport& report) {
+  report.plan_ms += spent.plan_ms;
+  report.smooth_ms += spent.smooth_ms;
+  report.verify_ms += spent.verify_ms;
+  report.certify_ms += spent.certify_ms;
+  report.total_ms += spent.total_ms;
+  report.validity_checks += spent.validity_checks;
+  report.edge_checks += spent.edge_checks;
+  report.iterations += spent.iterations;
+}
+
 // Plans a window that nobody has set: a wider one where it fails or is hurried, if that is better.
 WindowPlan plan_with_time(SceneCollision& scene, const std::shared_ptr<const Clip>& clip, int limb,
                           const ProposedWindow& window, const PlanningWishes& wishes,
@@ -47,9 +59,9 @@ WindowPlan plan_with_time(SceneCollision& scene, const std::shared_ptr<const Cli
     const bool better = other.correction &&
                         (!best.correction ||
                          (other.report.certified >= best.report.certified && other_sum < best_sum));
-    const double total = best.report.total_ms + other.report.total_ms;
+    const WindowReport spent = better ? best.report : other.report;
     if (better) best = std::move(other);
-    best.report.total_ms = total;
+    add_costs(spent, best.report);
   }
   return best;
 }
@@ -89,7 +101,7 @@ Result<CorrectionOutcome> correct(SceneCollision& scene, const std::vector<int>&
   CorrectionOutcome outcome;
   outcome.clip = source;
   tell("looking for contacts", -1);
-  for (auto& contact : scene.scan(source->begin, source->end, kScanRate, -1, false)) {
+  for (auto& contact : scene.scan(source->begin, source->end, kScanRate, -1, false, stop)) {
     if (contact.deepest.limb < 0)
       outcome.other.push_back(std::move(contact));
     else if (involves(contact, limbs))
@@ -102,9 +114,9 @@ Result<CorrectionOutcome> correct(SceneCollision& scene, const std::vector<int>&
     const auto& model_of_limb = scene.limbs()[static_cast<std::size_t>(limb)];
     // Earlier limbs' corrections may have changed this one's contacts: looked at afresh.
     scene.set_clip(outcome.clip);
-    const auto contacts = outcome.corrections.empty()
-                              ? outcome.before
-                              : scene.scan(source->begin, source->end, kScanRate, limb, false);
+    const auto contacts = outcome.corrections.empty() ? outcome.before
+                                                      : scene.scan(source->begin, source->end,
+                                                                   kScanRate, limb, false, stop);
     std::vector<ProposedWindow> windows;
     if (task.window) {
       ProposedWindow window;
@@ -167,7 +179,7 @@ Result<CorrectionOutcome> correct(SceneCollision& scene, const std::vector<int>&
     return outcome;
   }
   tell("looking at the result", -1);
-  for (auto& contact : scene.scan(source->begin, source->end, kScanRate, -1, false))
+  for (auto& contact : scene.scan(source->begin, source->end, kScanRate, -1, false, stop))
     if (involves(contact, limbs)) outcome.after.push_back(std::move(contact));
   return outcome;
 }

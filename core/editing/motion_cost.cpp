@@ -15,7 +15,7 @@ constexpr double kQuickMovement = 0.4;  // s
 
 }  // namespace
 
-MotionCost motion_cost(const WindowProblem& p, const Motion& motion) {
+MotionCost motion_cost(const WindowProblem& p, const WindowMotion& motion) {
   MotionCost cost;
   const double span = (p.end - p.begin) / kSamples;
   Dofs last, last_reference;

@@ -24,7 +24,7 @@ struct MotionCost {
 };
 
 // All but nearness, which only the skin tells.
-MotionCost motion_cost(const WindowProblem& problem, const Motion& motion);
+MotionCost motion_cost(const WindowProblem& problem, const WindowMotion& motion);
 
 double nearness_cost(double clearance, double wanted);
 

@@ -23,17 +23,18 @@ using Clock = std::chrono::steady_clock;
 
 // A motion that was planned, with what is known of it.
 struct Way {
-  Motion motion;
+  WindowMotion motion;
   MotionCost cost;
   std::uint64_t seed = 0;
   int landmarks = 0;
+  std::vector<std::string> limits_widened;
 };
 
 // A motion that was verified.
 struct Held {
   WindowReport report;
   Correction correction;
-  Motion motion;
+  WindowMotion motion;
   double cost = 0;
 };
 
@@ -129,6 +130,7 @@ class WindowPlanner {
         }
         way.motion = std::move(result.motion);
         way.landmarks = result.landmarks;
+        way.limits_widened = std::move(result.limits_widened);
         way.cost = motion_cost(p_, way.motion);
         ways.push_back(std::move(way));
         std::stable_sort(ways.begin(), ways.end(), [](const Way& a, const Way& b) {
@@ -170,20 +172,36 @@ class WindowPlanner {
                     : "found and verified, not proven: " + held_.back().report.not_certified);
       if (!held_.back().report.certified) --tries_for_proof_;
       sort_held();
+      if (asked_ > 1) drop_copies();
+      if (static_cast<int>(held_.size()) > asked_) held_.resize(static_cast<std::size_t>(asked_));
       if (static_cast<int>(held_.size()) >= asked_ && enough()) break;
     }
     report_.attempts.push_back(said + found);
   }
 
-  // Another look of a way that is held already; one that is not proven may be replaced. What lies
-  // between two looks may come nearer than the clearance asked for, but not touch.
-  bool is_known(const Motion& motion) {
-    if (asked_ == 1) return false;
+  // What lies between two looks of one way may come nearer than the clearance asked for, but not
+  // touch.
+  PlanningView between_looks() const {
     const double least = 2 * touching();
-    PlanningWorld world(p_, {false, least, least, 0, 0});
+    return {false, least, least, 0, 0};
+  }
+
+  // Another look of a way that is held already; one that is not proven may be replaced.
+  bool is_known(const WindowMotion& motion) {
+    if (asked_ == 1) return false;
+    PlanningWorld world(p_, between_looks());
     return std::any_of(held_.begin(), held_.end(), [&](const Held& held) {
       return held.report.certified && same_way_around(world, p_, held.motion, motion);
     });
+  }
+
+  // Of two looks of one way the better stays.
+  void drop_copies() {
+    PlanningWorld world(p_, between_looks());
+    for (std::size_t i = 0; i < held_.size(); ++i)
+      for (std::size_t k = held_.size() - 1; k > i; --k)
+        if (same_way_around(world, p_, held_[i].motion, held_[k].motion))
+          held_.erase(held_.begin() + static_cast<std::ptrdiff_t>(k));
   }
 
   // Empty and one more in held_, or what it touches.
@@ -197,6 +215,10 @@ class WindowPlanner {
     report.blocked_by.clear();
     report.seed = way.seed;
     report.landmarks = way.landmarks;
+    for (const std::string& name : way.limits_widened) {
+      auto& all = report.limits_widened;
+      if (std::find(all.begin(), all.end(), name) == all.end()) all.push_back(name);
+    }
     measure_motion(p_, way.motion, report);
     MotionCost cost = way.cost;
     cost.nearness = nearness_cost(report.min_clearance, wanted());
@@ -213,7 +235,6 @@ class WindowPlanner {
     std::stable_sort(held_.begin(), held_.end(), [](const Held& a, const Held& b) {
       return a.report.certified != b.report.certified ? a.report.certified : a.cost < b.cost;
     });
-    if (static_cast<int>(held_.size()) > asked_) held_.resize(static_cast<std::size_t>(asked_));
   }
 
   // What an attempt cost is part of the whole, whether or not it is taken.

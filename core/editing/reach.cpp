@@ -432,7 +432,7 @@ Result<CorrectionOutcome> reach(SceneCollision& scene, int limb, const Task& tas
   if (Status sound = check_task(scene, limb, task, source.get(), *model); !sound)
     return sound.error();
   const auto look = [&](std::vector<ContactInterval>& own, std::vector<ContactInterval>* other) {
-    for (auto& contact : scene.scan(source->begin, source->end, kScanRate, -1, false)) {
+    for (auto& contact : scene.scan(source->begin, source->end, kScanRate, -1, false, stop)) {
       if (contact.deepest.limb == limb)
         own.push_back(std::move(contact));
       else if (contact.deepest.limb < 0 && other != nullptr)

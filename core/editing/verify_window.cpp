@@ -86,7 +86,7 @@ void certify(WindowProblem& p, const std::stop_token& stop, const ProgressSink& 
 
 }  // namespace
 
-Result<KeyedMotion> key_motion(const WindowProblem& p, const Motion& motion) {
+Result<KeyedMotion> key_motion(const WindowProblem& p, const WindowMotion& motion) {
   KeyedMotion keyed;
   keyed.correction.limb = p.limb->limb.name;
   keyed.correction.begin = static_cast<float>(p.begin);
@@ -136,7 +136,7 @@ std::vector<double> verification_times(double begin, double end, const std::vect
   return times;
 }
 
-void measure_motion(const WindowProblem& p, const Motion& motion, WindowReport& report) {
+void measure_motion(const WindowProblem& p, const WindowMotion& motion, WindowReport& report) {
   const int samples = std::max(8, static_cast<int>((p.end - p.begin) * kVerifyRate));
   for (int i = 0; i <= samples; ++i) {
     const double u = static_cast<double>(i) / samples;

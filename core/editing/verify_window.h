@@ -21,7 +21,7 @@ struct KeyedMotion {
   std::shared_ptr<const Clip> clip;
 };
 // Keys at the clip's rate or denser and at each of the problem's postures. Error: that of lay_over.
-Result<KeyedMotion> key_motion(const WindowProblem& problem, const Motion& motion);
+Result<KeyedMotion> key_motion(const WindowProblem& problem, const WindowMotion& motion);
 
 // Looks at the keys: the scene plays them meanwhile and problem.clip afterwards. Returns the first
 // contact ("A with B at t"), "cancelled", or nothing; then report.min_clearance, certified and what
@@ -36,6 +36,6 @@ std::vector<double> verification_times(double begin, double end, const std::vect
                                        const std::vector<double>& steps, std::uint64_t seed);
 
 // Peak speed and acceleration of the curve, and how far it goes from the clip.
-void measure_motion(const WindowProblem& problem, const Motion& motion, WindowReport& report);
+void measure_motion(const WindowProblem& problem, const WindowMotion& motion, WindowReport& report);
 
 }  // namespace elbowroom

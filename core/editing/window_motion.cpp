@@ -51,7 +51,7 @@ std::string PlanningView::text() const {
   return text;
 }
 
-const Curve& Motion::at(double t) const {
+const Curve& WindowMotion::at(double t) const {
   std::size_t i = 0;
   while (i + 1 < curves.size() && t > until[i]) ++i;
   return curves[i];
@@ -159,14 +159,20 @@ MotionResult plan_motion(WindowProblem& p, PlanningWorld& world, const PlanningW
       result.reason = fitted.reason;
       return result;
     }
+    const auto name = [&p](const CurveResult::Excess& excess) {
+      return p.space.dofs[static_cast<std::size_t>(excess.dof)].name;
+    };
+    for (const auto& excess : fitted.limit_excess) result.limits_widened.push_back(name(excess));
+    for (const auto& excess : fitted.speed_excess)
+      result.limits_widened.push_back(name(excess) + " (speed)");
     result.motion.curves.push_back(fitted.curve);
     result.motion.until.push_back(to.time);
   }
   return result;
 }
 
-bool same_way_around(PlanningWorld& world, const WindowProblem& p, const Motion& a,
-                     const Motion& b) {
+bool same_way_around(PlanningWorld& world, const WindowProblem& p, const WindowMotion& a,
+                     const WindowMotion& b) {
   for (std::size_t part = 0; part < a.curves.size(); ++part) {
     StateSpace& space = world.part(part);
     const double begin = p.postures[part].time, end = p.postures[part + 1].time;

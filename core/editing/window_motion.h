@@ -33,7 +33,7 @@ struct PlanningView {
 };
 
 // The curves between a window's postures; one where there are none between.
-struct Motion {
+struct WindowMotion {
   std::vector<Curve> curves;
   std::vector<double> until;  // end of each, seconds
 
@@ -63,11 +63,13 @@ class PlanningWorld {
 
 // What a motion came to and what it cost.
 struct MotionResult {
-  Motion motion;            // empty if there is none
+  WindowMotion motion;      // empty if there is none
   bool path_found = false;  // whatever became of it
   bool cancelled = false;
   std::string reason;  // one sentence, where there is none
   int landmarks = 0;
+  // Names of DOFs whose limit, or speed limit, the state at a posture forced the curve beyond.
+  std::vector<std::string> limits_widened;
 };
 struct PlanningCosts {
   double plan_ms = 0, smooth_ms = 0;
@@ -82,7 +84,7 @@ MotionResult plan_motion(WindowProblem& problem, PlanningWorld& world, const Pla
 // Whether one motion can be turned into the other without meeting anything: every blend of the two
 // is free, at each of some moments of the window. If so they are one way around with two looks; if
 // not, two ways.
-bool same_way_around(PlanningWorld& world, const WindowProblem& problem, const Motion& a,
-                     const Motion& b);
+bool same_way_around(PlanningWorld& world, const WindowProblem& problem, const WindowMotion& a,
+                     const WindowMotion& b);
 
 }  // namespace elbowroom
