@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/collision/allowed_patches.h"
 #include "core/collision/body_parts.h"
 #include "core/collision/surface_patches.h"
 #include "tests/unit/scene_collision/figure.h"
@@ -123,6 +124,35 @@ TEST(AllowedContacts, TheHandThatBrushesTheThighMayNotGoThroughIt) {
   // A shade less deep, too.
   b.scene.set_clip(swing_clip({0, 1}, {-0.4, -kPi / 2 + 0.004}));
   EXPECT_FALSE(b.scene.limb_in_contact(1, 0, kEpsilon));
+}
+
+TEST(AllowedContacts, TheThighIsBrushedWhenTheClipBrushesItAndNotBefore) {
+  Brushing b;
+  LimbState as_deep;
+  as_deep.q.count = 7;
+  as_deep.q[1] = -kPi / 2;
+  b.scene.pose_limb(0, &as_deep);
+  EXPECT_FALSE(b.scene.limb_in_contact(1, 0, kEpsilon));
+  EXPECT_FALSE(b.scene.limb_in_contact(0.95, 0, kEpsilon)) << "a little earlier in its own time";
+  EXPECT_TRUE(b.scene.limb_in_contact(0.3, 0, kEpsilon)) << "the clip's hand is far away then";
+}
+
+TEST(AllowedContacts, PatchesTouchAboutTheTimesTheClipHasThemTouch) {
+  AllowedPatches allowed(2, 3);
+  allowed.clip_times[4] = {{0.2, 0.3}, {0.9, 1.0}};
+  const double memory = 0.1;
+  EXPECT_FALSE(allowed.clip_touches(4, 0.05, 0.05, memory));
+  EXPECT_TRUE(allowed.clip_touches(4, 0.11, 0.39, memory));
+  EXPECT_FALSE(allowed.clip_touches(4, 0.11, 0.5, memory)) << "not throughout";
+  EXPECT_FALSE(allowed.clip_touches(4, 0.6, 0.6, memory));
+  EXPECT_TRUE(allowed.clip_touches(4, 0.81, 5.0, 10.0)) << "another touching reaches it";
+  EXPECT_FALSE(allowed.clip_touches(3, 0.25, 0.25, memory)) << "another pair";
+  EXPECT_FALSE(allowed.clip_touches(4, std::nan(""), 0.25, memory));
+  allowed.allow(0, 1, AllowedPatches::kBind);
+  const std::vector<bool> at = allowed.allowed_throughout(0.25, 0.3, memory);
+  EXPECT_EQ(at, (std::vector<bool>{false, true, false, false, true, false}));
+  EXPECT_EQ(allowed.allowed_throughout(0.6, 0.7, memory),
+            (std::vector<bool>{false, true, false, false, false, false}));
 }
 
 TEST(AllowedContacts, AnotherPartOfTheThighIsNotAllowed) {

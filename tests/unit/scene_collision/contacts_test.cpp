@@ -219,6 +219,17 @@ TEST(SceneContacts, IntervalEndsAreBisected) {
   EXPECT_FALSE(scene.limb_in_contact(end + 1.01e-4, 0, kEpsilon));
 }
 
+TEST(SceneContacts, AScanIsStoppedAtTheNextMoment) {
+  const auto post = make_object("Post", box_shape({0.03f, 0.03f, 0.03f}));
+  SceneCollision scene = scene_of(world_of(make_figure(), swing_clip({0, 1}, {0, 0}),
+                                           {actor("post.glb", post, Vec3(0.62, 1.4, 0))}));
+  std::stop_source stop;
+  EXPECT_FALSE(scene.scan(0, 1, 30, 0, false, stop.get_token()).empty());
+  stop.request_stop();
+  // Four million samples, of which none is looked at.
+  EXPECT_TRUE(scene.scan(0, 1, 4e6, 0, false, stop.get_token()).empty());
+}
+
 TEST(SceneContacts, BothSidesOfAStepAreLookedAt) {
   // The arm jumps onto the post for less than the time between two samples.
   const auto post = make_object("Post", box_shape({0.03f, 0.03f, 0.03f}));
