@@ -24,12 +24,14 @@ Quat nlerp(const Quat& a, const Quat& b, double u) {
 
 }  // namespace
 
-Frame between(const Frame& a, const Frame& b, double u) {
+NodeFrame between(const NodeFrame& a, const NodeFrame& b, double u) {
   if (u == 0) return a;
   return {nlerp(a.rotation, b.rotation, u), a.place + u * (b.place - a.place)};
 }
 
-RigidTransform rigid(const Frame& frame) { return {glm::mat3_cast(frame.rotation), frame.place}; }
+RigidTransform rigid(const NodeFrame& frame) {
+  return {glm::mat3_cast(frame.rotation), frame.place};
+}
 
 FrameTracks::FrameTracks(World world, std::vector<Node> nodes, Locals locals, double begin,
                          double end)
@@ -120,7 +122,7 @@ void FrameTracks::fill_row(std::uint32_t row) {
   filled_[row] = 1;
 }
 
-Frame FrameTracks::frame_at(const Cell& cell, std::size_t node) const {
+NodeFrame FrameTracks::frame_at(const Cell& cell, std::size_t node) const {
   return between(frame(cell.row, node), frame(cell.row + 1, node), cell.u);
 }
 

@@ -17,7 +17,7 @@
 
 namespace elbowroom {
 
-struct Frame {
+struct NodeFrame {
   Quat rotation{1, 0, 0, 0};
   Vec3 place{0.0};
 };
@@ -54,7 +54,7 @@ class FrameTracks {
     if (!filled_[cell.row + 1]) fill_row(cell.row + 1);
   }
   // Of a filled row.
-  const Frame& frame(std::uint32_t row, std::size_t node) const {
+  const NodeFrame& frame(std::uint32_t row, std::size_t node) const {
     return frames_[row * nodes_.size() + node];
   }
   const Transform& local(std::uint32_t row, std::size_t node) const {
@@ -63,7 +63,7 @@ class FrameTracks {
   // World matrix of the parent of the first local node: linear part and place.
   const Mat4& parent(std::uint32_t row) const { return parents_[row]; }
 
-  Frame frame_at(const Cell& cell, std::size_t node) const;
+  NodeFrame frame_at(const Cell& cell, std::size_t node) const;
   Transform local_at(const Cell& cell, std::size_t node) const;
 
   const std::vector<double>& steps() const { return steps_; }
@@ -83,13 +83,13 @@ class FrameTracks {
   std::vector<Segment> segments_;
   std::uint32_t rows_ = 0;
   std::vector<std::uint8_t> filled_;
-  std::vector<Frame> frames_;
+  std::vector<NodeFrame> frames_;
   std::vector<Transform> locals_;
   std::vector<Mat4> parents_;
   std::vector<ActorState> states_;
 };
 
-Frame between(const Frame& a, const Frame& b, double u);
-RigidTransform rigid(const Frame& frame);
+NodeFrame between(const NodeFrame& a, const NodeFrame& b, double u);
+RigidTransform rigid(const NodeFrame& frame);
 
 }  // namespace elbowroom

@@ -92,14 +92,14 @@ LimbMotion::LimbMotion(LimbPlanningSpace::Data& data) : data_(data) {
       sums.lift[row + 1] = sums.lift[row] + (joined ? lift : 0.0);
       sums.turn[row + 1] = sums.turn[row] + (joined ? turn : 0.0);
     };
-    const Frame g0{rotation_of(tracks.parent(row)), Vec3(tracks.parent(row)[3])};
-    const Frame g1{rotation_of(tracks.parent(row + 1)), Vec3(tracks.parent(row + 1)[3])};
+    const NodeFrame g0{rotation_of(tracks.parent(row)), Vec3(tracks.parent(row)[3])};
+    const NodeFrame g1{rotation_of(tracks.parent(row + 1)), Vec3(tracks.parent(row + 1)[3])};
     const Vec3 base_turn = turn_between(g0.rotation, g1.rotation);
     const double base_angle = glm::length(base_turn), base_uneven = unevenness(base_angle);
     if (joined) largest_turn = std::max(largest_turn, base_angle);
     add(base_, glm::distance(g0.place, g1.place), fastest(base_angle));
     for (std::size_t n = 0; n < nodes; ++n) {
-      const Frame &f0 = tracks.frame(row, n), &f1 = tracks.frame(row + 1, n);
+      const NodeFrame &f0 = tracks.frame(row, n), &f1 = tracks.frame(row + 1, n);
       const Vec3 turn = turn_between(f0.rotation, f1.rotation);
       const double angle = glm::length(turn);
       add(world_[n], glm::distance(f0.place, f1.place), fastest(angle));

@@ -138,7 +138,7 @@ void LimbPlanningSpace::Data::find_reachable(const FrameTracks::Cell& cell) {
     const Vec3 at = pieces[p].node_from_part * pieces[p].centre;
     Vec3 ends[2];
     for (int end = 0; end < 2; ++end) {
-      const Frame& f = tracks->frame(cell.row + static_cast<std::uint32_t>(end), track_of[p]);
+      const NodeFrame& f = tracks->frame(cell.row + static_cast<std::uint32_t>(end), track_of[p]);
       ends[end] = f.place + f.rotation * at;
     }
     // Turning between two rows leaves the chord by at most its length.

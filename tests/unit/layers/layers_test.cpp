@@ -5,6 +5,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -88,6 +90,32 @@ TEST(Layers, TheJudgeSharesNothingWithTheCore) {
     for (const char* prefix : {"core/", "render/", "app/", "tests/support/"})
       EXPECT_FALSE(begins(include.name, prefix)) << include.file << " includes " << include.name;
   }
+}
+
+// Two types of one name in one namespace are one to the linker, which keeps whichever destructor it
+// met first; no compiler says so.
+TEST(Layers, OneNameIsOneType) {
+  std::map<std::string, std::string> file_of;
+  const std::regex type("(struct|class) (\\w+)( final)?( : [^{]*)? \\{.*");
+  for (const char* folder : {"core", "render", "ui", "app", "assets"})
+    for (const auto& file : sources(folder)) {
+      std::ifstream in(file);
+      const std::string name = fs::relative(file, kRoot).string();
+      std::string inner;  // of namespace elbowroom
+      bool unnamed = false;
+      std::smatch match;
+      for (std::string line; std::getline(in, line);) {
+        if (line == "namespace {") unnamed = true;
+        if (line == "}  // namespace") unnamed = false;
+        if (begins(line, "namespace ") && line.back() == '{' && !unnamed)
+          inner = line == "namespace elbowroom {" ? "" : line;
+        if (unnamed || !std::regex_match(line, match, type)) continue;
+        const auto [at, fresh] = file_of.try_emplace(inner + match[2].str(), name);
+        EXPECT_TRUE(fresh || at->second == name)
+            << match[2] << " is defined in " << at->second << " and in " << name;
+      }
+    }
+  EXPECT_GT(file_of.size(), 200u);
 }
 
 TEST(Layers, EverySourceNamesItsLicence) {
