@@ -45,8 +45,9 @@ struct IkTarget {
   std::optional<Quat> orientation;  // world_from_joint rotation of the end joint; none: free
 };
 
-// Positions with relative errors up to this count as reached.
-inline constexpr double kReachTolerance = 1e-9;
+// Positions off by up to this share of the limb's length count as reached: a hundredth of what is
+// promised, and more than the twist of a limb that is all but stretched can be told apart by.
+inline constexpr double kReachTolerance = 1e-7;
 
 // Postures for one swivel: one for each sense of the middle's bend.
 struct IkSolutions {

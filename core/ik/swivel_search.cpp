@@ -17,8 +17,9 @@ constexpr int kVariants = 4;       // of what a target leaves open, over its lim
 constexpr int kVariantCoarse = 4;  // their grid of swivels is coarser by this
 constexpr std::size_t kDescents = 8;
 constexpr int kDescentSteps = 120;
-constexpr int kRefineSteps = 40;  // of bisection and of golden sections
-constexpr double kFlat = 1e-7;    // a bend's limit is exceeded alike at every swivel
+constexpr int kRefineSteps = 40;      // of bisection and of golden sections
+constexpr double kFlat = 1e-7;        // a bend's limit is exceeded alike at every swivel
+constexpr double kBeyondReach = 1e3;  // more than limits are ever exceeded by, radians
 constexpr int kMaxGreedySteps = 400;
 
 // Of the numbers that stand for one rotation those that keep the limits, if some do.
@@ -100,8 +101,9 @@ class Search {
       const int coarse = i == 0 ? 1 : kVariantCoarse;
       if (exhausted() || all_round(all[i], settings_.resolution / coarse)) return finish();
     }
-    // Between the variants: from those that exceed limits least.
-    if (open.empty() || rank_ != kExceeds) return finish();
+    // Between the variants, and where nothing reaches between steps too (what a limb reaches that
+    // is all but stretched may depend on its twist): from those that are off least.
+    if (rank_ != kMisses && (open.empty() || rank_ != kExceeds)) return finish();
     std::stable_sort(lowest_.begin(), lowest_.end(),
                      [](const Lowest& a, const Lowest& b) { return a.excess < b.excess; });
     for (std::size_t i = 0; i < lowest_.size() && i < kDescents; ++i)
@@ -174,11 +176,17 @@ class Search {
     return true;
   }
 
-  // How far beyond limits, infinite where nothing reaches.
-  double excess_at(double swivel, const Dofs& near, int sense) {
+  // How far beyond limits; where nothing reaches, beyond kBeyondReach by the share of the limb's
+  // length that is missing; infinite where there is no posture.
+  double badness_at(double swivel, const Dofs& near, int sense) {
     Tried tried;
-    if (!try_posture(swivel, near, sense, tried) || tried.miss != 0) return kInfinity;
-    return tried.excess.radians;
+    if (!try_posture(swivel, near, sense, tried)) return kInfinity;
+    return tried.miss != 0 ? kBeyondReach + tried.miss / ik_.length() : tried.excess.radians;
+  }
+  // Infinite where nothing reaches.
+  double excess_at(double swivel, const Dofs& near, int sense) {
+    const double badness = badness_at(swivel, near, sense);
+    return badness < kBeyondReach ? badness : kInfinity;
   }
 
   void remember(const Tried& tried, Rank rank, double swivel, const Dofs& near) {
@@ -318,7 +326,7 @@ class Search {
     return kNotANumber;
   }
 
-  // The lowest excess of one round.
+  // The lowest badness of one round.
   struct Lowest {
     double excess = kInfinity, swivel = 0;
     int sense = 0;
@@ -340,7 +348,7 @@ class Search {
             const Dof& limits = space_.dofs[static_cast<std::size_t>(open[k])];
             next.near[open[k]] = std::clamp(next.near[open[k]] + move, limits.lower, limits.upper);
           }
-          next.excess = excess_at(next.swivel, next.near, next.sense);
+          next.excess = badness_at(next.swivel, next.near, next.sense);
           if (!(next.excess < at.excess)) continue;
           at = next;
           lower = true;
@@ -362,7 +370,7 @@ class Search {
     for (int i = 0; i < n; ++i) {
       for (int sense = 0; sense < 2; ++sense)
         excess[static_cast<std::size_t>(sense)][static_cast<std::size_t>(i)] =
-            excess_at(at(i), near, sense);
+            badness_at(at(i), near, sense);
     }
     Lowest lowest;
     lowest.near = near;
@@ -375,6 +383,9 @@ class Search {
         lowest.sense = sense;
       }
     if (std::isfinite(lowest.excess)) lowest_.push_back(lowest);
+    for (auto& values : excess)
+      for (double& value : values)
+        if (value >= kBeyondReach) value = kInfinity;
     std::vector<double> swivels;
     const auto propose = [&](double swivel) {
       double unwrapped = 0;

@@ -2,6 +2,7 @@
 #include "tests/property/ik/targets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "core/anatomy/limb_clip.h"
@@ -34,6 +35,28 @@ Dofs random_posture(const DofSpace& space, Random& random) {
     }
   } while (!space.within_limits(q, 0));
   return q;
+}
+
+// All but stretched: what is reached then may hang on the twist.
+void stretch(const LimbIk& ik, const LimbModel& limb, Random& random, Dofs& q) {
+  const JointModel& middle = limb.joints[1];
+  const int bend = middle.first_dof + (middle.kind == JointModelKind::ball ? 1 : 0);
+  const Dof& dof = limb.space.dofs[static_cast<std::size_t>(bend)];
+  const auto distance = [&](double angle) {
+    Dofs bent = q;
+    bent[bend] = angle;
+    const auto points = ik.points(bent);
+    return glm::distance(points.end, points.root);
+  };
+  double best = dof.lower;
+  for (int i = 0; i <= 200; ++i) {
+    const double angle = dof.lower + (dof.upper - dof.lower) * i / 200;
+    if (distance(angle) > distance(best)) best = angle;
+  }
+  const double off = std::pow(10.0, random.uniform(-5, -1));
+  Dofs straight = q;
+  straight[bend] = std::clamp(best + (random.below(2) == 0 ? off : -off), dof.lower, dof.upper);
+  if (limb.space.within_limits(straight, 0)) q = straight;
 }
 
 DofSpace tighter(const DofSpace& whole, Random& random) {
@@ -110,7 +133,8 @@ class Trial {
 
   void run(int kind) {
     const LimbModel& limb = *moment_.limb;
-    const Dofs q = random_posture(limb.space, random_);
+    Dofs q = random_posture(limb.space, random_);
+    if (kind == 4) stretch(ik_, limb, random_, q);
     const EndPlace made = place_of(moment_, {q, moment_.residual});
     IkTarget target;
     target.position = made.position;
@@ -137,7 +161,8 @@ class Trial {
     };
     const IkResult result = search_swivel(ik_, target, settings, valid);
     ++counts_.targets;
-    if (kind == 0) ++counts_.reachable;
+    const bool reachable = kind == 0 || kind == 4;
+    if (reachable) ++counts_.reachable;
     if (result.solved()) {
       ++counts_.solved;
       judge(result, target, space, obstacles);
@@ -146,9 +171,14 @@ class Trial {
     ++counts_.not_solved;
     if (!space.within_limits(result.state.q, 1e-6))
       problem(counts_.beyond_limits, "what is shown instead is beyond limits");
-    if (kind == 0) {
-      problem(counts_.reachable_missed,
-              std::string("a posture in limits is not found: ") + ik_status_id(result.status));
+    if (reachable) {
+      char text[200];
+      std::snprintf(text, sizeof text,
+                    "a posture in limits is not found%s%s: %s, %.3g of the length short, %.3g rad "
+                    "beyond limits",
+                    kind == 4 ? ", all but stretched" : "", oriented ? ", turned" : "",
+                    ik_status_id(result.status), result.miss / ik_.length(), result.excess);
+      problem(counts_.reachable_missed, text);
       return;
     }
     if (++counts_.failed_but_scanned % 4 != 0) return;
@@ -311,7 +341,7 @@ TargetCounts try_targets(const IkRig& rig, int count, std::uint64_t seed) {
       }
       Trial trial(moment, *ik, counts, random);
       for (int i = 0; i < kTargetsPerMoment && done + i < count; ++i) {
-        const int kinds[] = {0, 0, 0, 0, 1, 1, 2, 2, 2, 3};
+        const int kinds[] = {0, 0, 0, 4, 1, 1, 2, 2, 2, 3};
         trial.run(kinds[i % 10]);
       }
     }

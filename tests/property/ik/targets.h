@@ -3,6 +3,7 @@
 // with the solved state, its global transforms, and what they say about position and orientation.
 #pragma once
 
+#include <cctype>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -21,6 +22,14 @@ struct IkRig {
 
 // Every file of humanoids whose limbs are found, sorted by path; empty without samples.
 std::vector<std::filesystem::path> sample_humanoids();
+// "3_Knight_glb": the name of a test of that file.
+template <typename Info>
+std::string file_test_name(const Info& info) {
+  std::string text = std::to_string(info.index) + "_";
+  for (const char c : info.param.filename().string())
+    text += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+  return text;
+}
 // No limbs if the file can't be read or none is found.
 IkRig read_rig(const std::filesystem::path& file);
 

@@ -17,16 +17,21 @@ void expect_good(const test::TargetCounts& counts, const std::string& name) {
   EXPECT_EQ(counts.problems(), 0) << name << ", " << counts.first_problem;
 }
 
-TEST(IkOnSamples, ReachesWhatCanBeReached) {
+class IkOnSample : public testing::TestWithParam<std::filesystem::path> {};
+
+TEST_P(IkOnSample, ReachesWhatCanBeReached) {
+  const auto rig = test::read_rig(GetParam());
+  if (rig.limbs.empty()) GTEST_SKIP() << "no limbs are found";
+  expect_good(test::try_targets(rig, kTargets, 1), GetParam().filename().string());
+}
+
+INSTANTIATE_TEST_SUITE_P(Humanoids, IkOnSample, testing::ValuesIn(test::sample_humanoids()),
+                         [](const auto& info) { return test::file_test_name(info); });
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(IkOnSample);
+
+TEST(IkOnSamples, AreManyRigs) {
   if (test::samples_dir().empty()) GTEST_SKIP() << test::samples_missing();
-  int rigs = 0;
-  for (const auto& file : test::sample_humanoids()) {
-    const auto rig = test::read_rig(file);
-    if (rig.limbs.empty()) continue;
-    ++rigs;
-    expect_good(test::try_targets(rig, kTargets, 1), file.filename().string());
-  }
-  EXPECT_GE(rigs, 12);
+  EXPECT_GE(test::sample_humanoids().size(), 14u);
 }
 
 TEST(IkOnSamples, IsTheSameMirroredScaledAndTurned) {

@@ -20,15 +20,8 @@ TEST_P(ManyTargets, AreReachedIfAnythingReachesThem) {
   EXPECT_EQ(counts.problems(), 0) << counts.first_problem;
 }
 
-std::string test_name(const testing::TestParamInfo<std::filesystem::path>& info) {
-  std::string text = std::to_string(info.index) + "_";
-  for (const char c : info.param.filename().string())
-    text += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
-  return text;
-}
-
 INSTANTIATE_TEST_SUITE_P(Humanoids, ManyTargets, testing::ValuesIn(test::sample_humanoids()),
-                         test_name);
+                         [](const auto& info) { return test::file_test_name(info); });
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ManyTargets);
 
 }  // namespace
