@@ -59,9 +59,14 @@ WindowPlan plan_with_time(SceneCollision& scene, const std::shared_ptr<const Cli
     const bool better = other.correction &&
                         (!best.correction ||
                          (other.report.certified >= best.report.certified && other_sum < best_sum));
+    std::vector<Suggestion> tried = best.report.suggestions;
+    if (!best.correction && !other.correction)
+      tried.push_back({Suggestion::Kind::wider_window, false, *wide,
+                       scene.limbs()[static_cast<std::size_t>(limb)].limb.name});
     const WindowReport spent = better ? best.report : other.report;
     if (better) best = std::move(other);
     add_costs(spent, best.report);
+    if (!best.correction) best.report.suggestions = std::move(tried);
   }
   return best;
 }

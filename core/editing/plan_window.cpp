@@ -12,7 +12,7 @@ namespace elbowroom {
 namespace {
 
 constexpr int kWays = 4;              // motions planned in one view, at least, for each asked for
-constexpr int kWaysOnSkin = 1;        // where one costs a hundred times more
+constexpr int kWaysOnSkin = 1;        // where one costs a hundred times more, and in brief
 constexpr int kHopeless = 2;          // seeds without a path, after which a view is given up
 constexpr double kGoodEnough = 0.02;  // a cost at which no more ways are looked for
 constexpr int kVerifiedInAView = 3;   // at most, for each asked for
@@ -41,12 +41,13 @@ struct Held {
 class WindowPlanner {
  public:
   WindowPlanner(WindowProblem problem, const PlanningWishes& wishes, const std::stop_token& stop,
-                const ProgressSink& progress)
+                const ProgressSink& progress, Effort effort)
       : p_(std::move(problem)),
         wishes_(wishes),
         stop_(stop),
         progress_(progress),
-        asked_(std::max(1, wishes.alternatives)) {
+        brief_(effort == Effort::brief),
+        asked_(brief_ ? 1 : std::max(1, wishes.alternatives)) {
     report_.limb = p_.limb_index;
     report_.begin = p_.begin;
     report_.end = p_.end;
@@ -107,7 +108,7 @@ class WindowPlanner {
   // Another view shows no other ways; it may bring a proof.
   bool enough() const {
     if (held_.empty()) return false;
-    return held_.front().report.certified || tries_for_proof_ <= 0;
+    return brief_ || held_.front().report.certified || tries_for_proof_ <= 0;
   }
 
   void try_view(const PlanningView& view, std::size_t index) {
@@ -116,7 +117,7 @@ class WindowPlanner {
     std::string reason;
     {
       PlanningWorld world(p_, view);
-      const int most = (view.on_skin ? kWaysOnSkin : kWays) * asked_;
+      const int most = (view.on_skin || brief_ ? kWaysOnSkin : kWays) * asked_;
       for (; seeds < most && !stop_.stop_requested(); ++seeds) {
         if (ways.empty() && seeds - planned >= kHopeless) break;
         if (asked_ == 1 && !ways.empty() && ways.front().cost.total() < kGoodEnough) break;
@@ -280,6 +281,7 @@ class WindowPlanner {
   const PlanningWishes& wishes_;
   const std::stop_token& stop_;
   const ProgressSink& progress_;
+  bool brief_ = false;
   int asked_ = 1;
   WindowReport report_;
   PlanningCosts costs_;
@@ -291,14 +293,15 @@ class WindowPlanner {
 
 WindowPlan plan_window(SceneCollision& scene, const std::shared_ptr<const Clip>& clip, int limb,
                        double begin, double end, const PlanningWishes& wishes,
-                       const std::stop_token& stop, const ProgressSink& progress) {
+                       const std::stop_token& stop, const ProgressSink& progress, Effort effort) {
   scene.set_clip(clip);
-  return plan_window(window_problem(scene, clip, limb, begin, end, wishes), wishes, stop, progress);
+  return plan_window(window_problem(scene, clip, limb, begin, end, wishes), wishes, stop, progress,
+                     effort);
 }
 
 WindowPlan plan_window(WindowProblem p, const PlanningWishes& wishes, const std::stop_token& stop,
-                       const ProgressSink& progress) {
-  return WindowPlanner(std::move(p), wishes, stop, progress).run();
+                       const ProgressSink& progress, Effort effort) {
+  return WindowPlanner(std::move(p), wishes, stop, progress, effort).run();
 }
 
 }  // namespace elbowroom

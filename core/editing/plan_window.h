@@ -30,16 +30,22 @@ struct WindowPlan {
   std::vector<Alternative> alternatives;
 };
 
+// brief: one motion in each view of the world, and the first that is verified is taken. Tells
+// whether there is one at a fraction of the cost.
+enum class Effort { usual, brief };
+
 // `scene` plays `clip` when called and when it returns. The window's ends are float32 values within
 // the clip.
 WindowPlan plan_window(SceneCollision& scene, const std::shared_ptr<const Clip>& clip, int limb,
                        double begin, double end, const PlanningWishes& wishes,
-                       const std::stop_token& stop, const ProgressSink& progress);
+                       const std::stop_token& stop, const ProgressSink& progress,
+                       Effort effort = Effort::usual);
 
 // The same through the problem's postures: a path and a curve from each to the next, keys at each
 // of their times, one correction. Whether the postures between the ends are valid is the caller's
 // to know.
 WindowPlan plan_window(WindowProblem problem, const PlanningWishes& wishes,
-                       const std::stop_token& stop, const ProgressSink& progress);
+                       const std::stop_token& stop, const ProgressSink& progress,
+                       Effort effort = Effort::usual);
 
 }  // namespace elbowroom

@@ -64,14 +64,15 @@ std::string Suggestion::text() const {
 std::vector<Suggestion> try_suggestions(SceneCollision& scene, const WindowReport& failed,
                                         const PlanningWishes& wishes, const std::stop_token& stop,
                                         const ProgressSink& progress) {
-  std::vector<Suggestion> tried;
+  std::vector<Suggestion> tried = failed.suggestions;
   const auto clip = scene.world().actors[static_cast<std::size_t>(scene.actor())].clip;
   PlanningWishes once = wishes;
   once.alternatives = 1;
   // True if it works: then no other needs to be tried.
   const auto attempt = [&](Suggestion suggestion, int limb, const PlanningWishes& with) {
-    const WindowPlan plan = plan_window(scene, clip, limb, suggestion.window.lower,
-                                        suggestion.window.upper, with, stop, progress);
+    const WindowPlan plan =
+        plan_window(scene, clip, limb, suggestion.window.lower, suggestion.window.upper, with, stop,
+                    progress, Effort::brief);
     suggestion.works = plan.correction.has_value();
     if (!stop.stop_requested()) tried.push_back(suggestion);
     return suggestion.works || stop.stop_requested();
@@ -87,7 +88,11 @@ std::vector<Suggestion> try_suggestions(SceneCollision& scene, const WindowRepor
   }
   const double clearance =
       wishes.clearance > 0 ? wishes.clearance : scene.settings().clearance * scene.height();
+  const bool wider_tried = std::any_of(tried.begin(), tried.end(), [](const Suggestion& s) {
+    return s.kind == Suggestion::Kind::wider_window;
+  });
   for (const double by : kWider) {
+    if (wider_tried) break;
     const auto wide = widened_window(scene, failed.limb, window, by, clearance);
     if (!wide) continue;
     if (attempt({Suggestion::Kind::wider_window, false, *wide, name}, failed.limb, once))

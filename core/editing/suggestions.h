@@ -10,7 +10,8 @@
 namespace elbowroom {
 
 // For the window of `failed`, on the clip that the scene plays, which it plays again afterwards.
-// Stops at the first that works; a stop request ends it too. Cost: that of a few windows.
+// Those of its suggestions that were tried already come first and are not tried again. Stops at the
+// first that works; a stop request ends it too. Each is tried in brief (plan_window.h).
 std::vector<Suggestion> try_suggestions(SceneCollision& scene, const WindowReport& failed,
                                         const PlanningWishes& wishes, const std::stop_token& stop,
                                         const ProgressSink& progress);
