@@ -19,3 +19,7 @@ foreach(label fast long)
     add_dependencies(${name} elbowroom elbowroom_demo_files)
   endif()
 endforeach()
+# The table of rigs serves here too.
+if(TARGET test_cli_long)
+  target_sources(test_cli_long PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/property/rigs/rig_table.cpp)
+endif()

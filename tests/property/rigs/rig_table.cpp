@@ -3,10 +3,34 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
+
+#include "core/anatomy/bind_geometry.h"
+#include "core/anatomy/limb_clip.h"
 #include "core/io/gltf_reader.h"
 #include "tests/support/samples.h"
 
 namespace elbowroom::test {
+
+namespace {
+
+constexpr double kDegree = kPi / 180;
+
+double percentile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+}
+
+Vec3 flexion_axis(const Model& model, const Character& character, const LimbModel& limb) {
+  const JointModel& middle = limb.joints[1];
+  const int parent = model.skeleton.joints[static_cast<std::size_t>(middle.joint)].parent;
+  const Mat3 world_from_parent(bind_globals(model, character)[static_cast<std::size_t>(parent)]);
+  return glm::normalize(world_from_parent * (middle.parent_from_zero * Vec3(0, 0, 1)));
+}
+
+}  // namespace
 
 std::vector<RigRow> rig_table() {
   using N = LimbNames;
@@ -89,6 +113,46 @@ std::shared_ptr<const Model> read_row(const RigRow& row) {
     return nullptr;
   }
   return *model;
+}
+
+std::string test_name(const RigRow& row) {
+  std::string text;
+  for (const char c : row.file.substr(row.file.rfind('/') + 1))
+    text += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+  return text;
+}
+
+std::vector<std::pair<const Clip*, double>> moments_of(const Model& model, const LimbModel& limb) {
+  std::vector<std::pair<const Clip*, double>> moments;
+  for (const Clip& clip : model.clips) {
+    const int count = 1 + static_cast<int>(clip.duration() * 30);
+    for (int i = 0; i <= count; ++i)
+      moments.emplace_back(&clip, clip.begin + clip.duration() * i / count);
+    for (const JointModel& joint : limb.joints) {
+      const int channel = clip.find_channel(joint.joint, Path::rotation);
+      if (channel < 0) continue;
+      for (const float t : clip.channels[static_cast<std::size_t>(channel)].times)
+        moments.emplace_back(&clip, static_cast<double>(t));
+    }
+  }
+  return moments;
+}
+
+LimbFit fit_of(const Model& model, const Character& character, const LimbModel& limb) {
+  LimbFit fit;
+  std::array<std::vector<double>, 3> residuals;
+  for (const auto& [clip, t] : moments_of(model, limb)) {
+    const LimbState state = limb_state_at(limb, model, *clip, t);
+    for (std::size_t j = 0; j < 3; ++j)
+      residuals[j].push_back(glm::length(rotation_vector_from_quat(state.residual[j])) / kDegree);
+  }
+  fit.frames = residuals[0].size();
+  for (std::size_t j = 0; j < 3; ++j) {
+    fit.median[j] = percentile(residuals[j], 0.5);
+    fit.high[j] = percentile(residuals[j], 0.99);
+  }
+  fit.flexion_axis = flexion_axis(model, character, limb);
+  return fit;
 }
 
 }  // namespace elbowroom::test

@@ -6,6 +6,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/anatomy/limb_model.h"
@@ -26,6 +27,21 @@ struct RigRow {
 };
 
 std::vector<RigRow> rig_table();
+
+// The name of a test of that row.
+std::string test_name(const RigRow& row);
+
+// Every key of the limb's joints, and a regular 30 Hz, of all clips.
+std::vector<std::pair<const Clip*, double>> moments_of(const Model& model, const LimbModel& limb);
+
+// How well a limb's model expresses its clips, by joint from root to end, degrees; and what it
+// bends about, world axes of the bind pose.
+struct LimbFit {
+  std::array<double, 3> median{}, high{};  // of the residuals; high: 99th percentile
+  std::size_t frames = 0;
+  Vec3 flexion_axis{0.0};
+};
+LimbFit fit_of(const Model& model, const Character& character, const LimbModel& limb);
 
 // The row's file, read; null with a test failure if it can't be.
 std::shared_ptr<const Model> read_row(const RigRow& row);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "core/anatomy/bind_geometry.h"
 #include "core/anatomy/limb_clip.h"
 #include "core/ik/limb_ik.h"
 #include "tests/property/rigs/changed_rigs.h"
@@ -16,7 +15,6 @@
 namespace elbowroom::test {
 namespace {
 
-constexpr double kDegree = kPi / 180;
 constexpr double kSame = 1e-4;  // what size and placement may change, radians or relative
 
 class Rigs : public testing::TestWithParam<RigRow> {
@@ -44,36 +42,6 @@ const std::string& name_of(const Model& model, int joint) {
   return model.skeleton.joints[static_cast<std::size_t>(joint)].name;
 }
 
-// Every key of the limb's joints, and a regular 30 Hz; at most 1,500 in all.
-std::vector<std::pair<const Clip*, double>> moments_of(const Model& model, const LimbModel& limb) {
-  std::vector<std::pair<const Clip*, double>> moments;
-  for (const Clip& clip : model.clips) {
-    const int count = 1 + static_cast<int>(clip.duration() * 30);
-    for (int i = 0; i <= count; ++i)
-      moments.emplace_back(&clip, clip.begin + clip.duration() * i / count);
-    for (const JointModel& joint : limb.joints) {
-      const int channel = clip.find_channel(joint.joint, Path::rotation);
-      if (channel < 0) continue;
-      for (const float t : clip.channels[static_cast<std::size_t>(channel)].times)
-        moments.emplace_back(&clip, static_cast<double>(t));
-    }
-  }
-  return moments;
-}
-
-double percentile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
-}
-
-Vec3 flexion_axis(const Model& model, const Character& character, const LimbModel& limb) {
-  const JointModel& middle = limb.joints[1];
-  const int parent = model.skeleton.joints[static_cast<std::size_t>(middle.joint)].parent;
-  const Mat3 world_from_parent(bind_globals(model, character)[static_cast<std::size_t>(parent)]);
-  return glm::normalize(world_from_parent * (middle.parent_from_zero * Vec3(0, 0, 1)));
-}
-
 TEST_P(Rigs, LimbsAreThoseWrittenByHandAndFitTheirClips) {
   std::printf("%s: %s\n", GetParam().file.c_str(), GetParam().kind.c_str());
   for (std::size_t i = 0; i < 4; ++i) {
@@ -97,26 +65,19 @@ TEST_P(Rigs, LimbsAreThoseWrittenByHandAndFitTheirClips) {
               expected);
     const auto fitted = fit_limb_model(*model_, character(), *limb, findings_);
     ASSERT_TRUE(fitted) << fitted.error().message();
-    std::array<std::vector<double>, 3> residuals;
-    for (const auto& [clip, t] : moments_of(*model_, *fitted)) {
-      const LimbState state = limb_state_at(*fitted, *model_, *clip, t);
-      for (std::size_t j = 0; j < 3; ++j)
-        residuals[j].push_back(glm::length(rotation_vector_from_quat(state.residual[j])));
-    }
+    const LimbFit fit = fit_of(*model_, character(), *fitted);
     std::string route;
     for (const int joint : limb->joints)
       route += (route.empty() ? "" : " > ") + name_of(*model_, joint);
-    const Vec3 axis = flexion_axis(*model_, character(), *fitted);
     std::printf("  %-9s %s\n            residual median/p99 °", limb_id(kind), route.c_str());
     for (std::size_t j = 0; j < 3; ++j) {
-      const double median = percentile(residuals[j], 0.5) / kDegree;
-      const double high = percentile(residuals[j], 0.99) / kDegree;
-      EXPECT_LE(median, 5) << name_of(*model_, fitted->joints[j].joint);
-      EXPECT_LE(high, 15) << name_of(*model_, fitted->joints[j].joint);
-      std::printf(" %.1f/%.1f", median, high);
+      EXPECT_LE(fit.median[j], 5) << name_of(*model_, fitted->joints[j].joint);
+      EXPECT_LE(fit.high[j], 15) << name_of(*model_, fitted->joints[j].joint);
+      std::printf(" %.1f/%.1f", fit.median[j], fit.high[j]);
     }
-    std::printf(", %zu frames; flexion axis (%.2f %.2f %.2f) by %s\n", residuals[0].size(), axis.x,
-                axis.y, axis.z, fitted->flexion_axis_from.c_str());
+    std::printf(", %zu frames; flexion axis (%.2f %.2f %.2f) by %s\n", fit.frames,
+                fit.flexion_axis.x, fit.flexion_axis.y, fit.flexion_axis.z,
+                fitted->flexion_axis_from.c_str());
     for (const std::string& note : fitted->notes) std::printf("            %s\n", note.c_str());
   }
 }
@@ -266,14 +227,8 @@ TEST_P(Rigs, SizeAndPlacementDontMatter) {
   }
 }
 
-std::string test_name(const testing::TestParamInfo<RigRow>& info) {
-  std::string text;
-  for (const char c : info.param.file.substr(info.param.file.rfind('/') + 1))
-    text += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
-  return text;
-}
-
-INSTANTIATE_TEST_SUITE_P(All, Rigs, testing::ValuesIn(rig_table()), test_name);
+INSTANTIATE_TEST_SUITE_P(All, Rigs, testing::ValuesIn(rig_table()),
+                         [](const auto& info) { return test_name(info.param); });
 
 }  // namespace
 }  // namespace elbowroom::test
