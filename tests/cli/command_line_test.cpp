@@ -96,7 +96,7 @@ TEST(Usage, WrongUsageIsOne) {
 // What is wrong is named with its option, and what to do about it.
 TEST(Usage, NamesTheOption) {
   const auto correct = [](const std::vector<std::string>& more) {
-    std::vector<std::string> arguments = {"correct", "--character", kMannequin, "--clip", "Idle"};
+    std::vector<std::string> arguments = {"correct", "--character", kMannequin, "--clip", "Walk"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
   };
@@ -140,7 +140,7 @@ TEST(Usage, NamesTheOption) {
 TEST(Usage, SamplingBeyondTheLimitsIsCutAndSaysSo) {
   const Folder folder;
   const auto result =
-      run({"correct", "--character", kMannequin, "--clip", "Idle", "--limb", "left_arm", "--sample",
+      run({"correct", "--character", kMannequin, "--clip", "Walk", "--limb", "left_arm", "--sample",
            "Elbow, flexion=20:500", "-o", folder / "x.glb"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_NE(result.err.find("cut to the limits"), std::string::npos) << result.err;

@@ -55,10 +55,10 @@ long milliseconds_of(const std::vector<std::string>& arguments, const fs::path& 
 TEST(Interrupted, WhereNoWindowIsPlanned) {
   const Folder folder;
   const std::vector<std::string> call = {"correct", "--character", kMannequin, "--clip",
-                                         "Idle",    "--limb",      "left_leg"};
+                                         "Walk",    "--limb",      "left_leg"};
   const long whole = milliseconds_of(call, folder / "out.glb");
   int interrupted = 0;
-  for (const double share : {0.05, 0.3, 0.5, 0.7, 0.85, 0.95, 1.0})
+  for (const double share : {0.05, 0.5, 0.85})
     interrupted += interrupt(folder, call, std::max(1, static_cast<int>(share * whole)));
   EXPECT_GT(interrupted, 0);
 }
@@ -67,7 +67,7 @@ TEST(Interrupted, BetweenTheTasksOfAProject) {
   const Folder folder, inputs("inputs");
   const nlohmann::json project = {
       {"version", 1},
-      {"scene", {{"character", kMannequin}, {"clip", "Idle"}}},
+      {"scene", {{"character", kMannequin}, {"clip", "Walk"}}},
       {"tasks",
        {{{"kind", "correct"}, {"name", "one"}, {"limb", "left_leg"}},
         {{"kind", "correct"}, {"name", "two"}, {"limb", "right_leg"}}}}};
@@ -75,20 +75,19 @@ TEST(Interrupted, BetweenTheTasksOfAProject) {
   const std::vector<std::string> call = {"solve", inputs / "p.elbow"};
   const long whole = milliseconds_of(call, folder / "out.glb");
   int interrupted = 0;
-  for (const double share : {0.3, 0.5, 0.6, 0.7, 0.8})
+  for (const double share : {0.3, 0.6})
     interrupted += interrupt(folder, call, std::max(1, static_cast<int>(share * whole)));
-  EXPECT_GT(interrupted, 1);
+  EXPECT_GT(interrupted, 0);
 }
 
 // The second one ends the program at once, but not while it writes.
 TEST(Interrupted, TwiceLeavesNoTemporaryFiles) {
   const Folder folder;
   const std::vector<std::string> call = {"correct", "--character", kMannequin, "--clip",
-                                         "Idle",    "--limb",      "left_leg"};
+                                         "Walk",    "--limb",      "left_leg"};
   const long whole = milliseconds_of(call, folder / "out.glb");
-  for (const double share : {0.2, 0.8, 0.9, 0.95})
-    for (const int apart : {1, 20})
-      interrupt(folder, call, std::max(1, static_cast<int>(share * whole)), 3, apart);
+  for (const auto& [share, apart] : {std::pair(0.5, 20), {0.9, 1}, {0.95, 5}})
+    interrupt(folder, call, std::max(1, static_cast<int>(share * whole)), 3, apart);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ class Outputs : public testing::Test {
     ASSERT_TRUE(write_simple_glb(post_, "post", box({3, 0, 3}, {4, 1, 4})));
     const nlohmann::json project = {
         {"version", 1},
-        {"scene", {{"character", "walk.glb"}, {"clip", "Idle"}, {"obstacles", {"post.glb"}}}},
+        {"scene", {{"character", "walk.glb"}, {"clip", "Walk"}, {"obstacles", {"post.glb"}}}},
         {"tasks",
          {{{"kind", "correct"}, {"name", "one"}, {"limb", "left_leg"}, {"alternatives", 2}}}}};
     std::ofstream(project_) << project.dump();
@@ -57,7 +57,7 @@ class Outputs : public testing::Test {
   std::vector<std::string> scene(const std::string& command,
                                  const std::vector<std::string>& more) const {
     std::vector<std::string> arguments = {command, "--character", figure_, "--clip",
-                                          "Idle",  "--obstacles", post_,   "--attach"};
+                                          "Walk",  "--obstacles", post_,   "--attach"};
     arguments.push_back(prop_.string() + "@" + demo::kAttachJoint);
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
@@ -101,7 +101,7 @@ TEST_F(Outputs, AreNeverInputs) {
 }
 
 TEST_F(Outputs, OfOtherWaysAroundNeither) {
-  expect_refused({"correct", "--character", folder_ / "walk-2.glb", "--clip", "Idle",
+  expect_refused({"correct", "--character", folder_ / "walk-2.glb", "--clip", "Walk",
                   "--alternatives", "2", "-o", figure_},
                  "walk-2.glb");
   expect_refused({"solve", project_, "-o", folder_ / "walk.glb"}, "walk.glb");

@@ -5,6 +5,7 @@
 
 #include "assets/demo.h"
 #include "tests/support/cli_scene.h"
+#include "tests/support/simple_glb.h"
 
 namespace elbowroom::test {
 namespace {
@@ -32,7 +33,7 @@ nlohmann::json demo_project(const nlohmann::json& tasks) {
 
 TEST(Limb, IsNamedByItsJointsToo) {
   const Folder folder;
-  const auto result = run_program(kProgram, {"correct", "--character", kMannequin, "--clip", "Idle",
+  const auto result = run_program(kProgram, {"correct", "--character", kMannequin, "--clip", "Walk",
                                              "--limb", "RightUpperArm..RightHand", "-o",
                                              folder / "out.glb", "--report", folder / "r.json"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -103,9 +104,11 @@ void write_renamed(const std::filesystem::path& file,
 TEST(Attach, WarnsWhereSeveralJointsHaveTheName) {
   const Folder folder;
   write_renamed(folder / "twins.glb", {{"LeftHand", "Hand"}, {"RightHand", "Hand"}});
+  // Far from the figure, so that there is nothing to look at closely.
+  ASSERT_TRUE(write_simple_glb(folder / "prop.glb", "prop", box({5, 5, 5}, {5.1f, 5.1f, 5.1f})));
   const auto result =
-      run_program(kProgram, {"check", "--character", folder / "twins.glb", "--clip", "Idle",
-                             "--attach", (kDemo / demo::kUmbrellaFile).string() + "@Hand"});
+      run_program(kProgram, {"check", "--character", folder / "twins.glb", "--clip", "Walk",
+                             "--attach", (folder / "prop.glb").string() + "@Hand"});
   EXPECT_NE(result.exit_code, 2) << result.err;
   EXPECT_NE(result.err.find("2 joints are named Hand"), std::string::npos) << result.err;
 }

@@ -13,10 +13,10 @@
 namespace elbowroom {
 namespace {
 
-Document idle() {
+Document walking() {
   Document document;
   document.scene.character = std::filesystem::path(ELBOWROOM_DEMO_DIR) / "mannequin.glb";
-  document.scene.clip = "Idle";
+  document.scene.clip = "Walk";
   return document;
 }
 
@@ -28,12 +28,12 @@ Task correct_task(const std::string& limb) {
 }
 
 TEST(Session, KnowsAFoundLimbByItsJoints) {
-  const auto plain = open_session(idle());
+  const auto plain = open_session(walking());
   ASSERT_TRUE(plain.ok());
   const std::vector<std::string> names = {
       "LeftUpperArm..LeftHand", "auto", "RightUpperLeg..RightFoot",
       "LeftUpperArm..LeftHand", "",     "right_arm"};
-  const auto session = open_session(idle(), names);
+  const auto session = open_session(walking(), names);
   ASSERT_TRUE(session.ok()) << session.error().message();
   // They are the limbs that there are anyway, in the same order.
   ASSERT_EQ(session->limbs.size(), plain->limbs.size());
@@ -45,7 +45,8 @@ TEST(Session, KnowsAFoundLimbByItsJoints) {
 }
 
 TEST(Session, FitsEveryLimbThatIsAskedFor) {
-  const auto session = open_session(idle(), {"LeftShoulder..LeftHand", "RightShoulder..RightHand"});
+  const auto session =
+      open_session(walking(), {"LeftShoulder..LeftHand", "RightShoulder..RightHand"});
   ASSERT_TRUE(session.ok()) << session.error().message();
   for (const char* name : {"LeftShoulder..LeftHand", "RightShoulder..RightHand"}) {
     const auto limbs = limbs_named(*session, name);
@@ -54,10 +55,10 @@ TEST(Session, FitsEveryLimbThatIsAskedFor) {
     EXPECT_EQ(session->limbs[static_cast<std::size_t>(limbs->front())].limb.name, name);
   }
   EXPECT_FALSE(limbs_named(*session, "left_arm").ok());  // has given way
-  EXPECT_FALSE(open_session(idle(), {"LeftUpperArm..LeftHand", "LeftShoulder..LeftHand"}).ok());
-  EXPECT_FALSE(open_session(idle(), {"LeftUpperArm..Nothing"}).ok());
+  EXPECT_FALSE(open_session(walking(), {"LeftUpperArm..LeftHand", "LeftShoulder..LeftHand"}).ok());
+  EXPECT_FALSE(open_session(walking(), {"LeftUpperArm..Nothing"}).ok());
 
-  Document project = idle();
+  Document project = walking();
   project.tasks = {correct_task("LeftUpperArm..LeftHand"), correct_task("LeftShoulder..LeftHand"),
                    correct_task("Nothing..LeftHand")};
   const auto opened = open_project_session(project);
@@ -68,7 +69,7 @@ TEST(Session, FitsEveryLimbThatIsAskedFor) {
 class Tasks : public testing::Test {
  protected:
   void SetUp() override {
-    auto session = open_session(idle());
+    auto session = open_session(walking());
     ASSERT_TRUE(session.ok());
     session_ = std::make_unique<Session>(std::move(*session));
     auto scene = contacts_of(*session_);

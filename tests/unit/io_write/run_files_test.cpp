@@ -241,7 +241,7 @@ TEST_F(Run, BuffersOfOutputsKeepOutOfEachOthersWay) {
   std::set<fs::path> names;
   for (const auto& entry : fs::directory_iterator(folder_)) names.insert(entry.path().filename());
   EXPECT_EQ(names, (std::set<fs::path>{"in", "keys.bin", "out-2.bin", "out-2.gltf", "out.bin",
-                                       "out.gltf", "out-3.bin", "post.gltf"}))
+                                       "out.gltf", "out-2-2.bin", "post.gltf"}))
       << testing::PrintToString(names);
 }
 
