@@ -3,10 +3,10 @@
 // output, errors on standard error, and returns its exit code.
 #pragma once
 
-#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "app/interruption.h"
 #include "app/options.h"
 #include "app/plan_command.h"
 
@@ -22,18 +22,18 @@ struct CheckOptions {
   SceneOptions scene;
   std::string report;
 };
-int run_check(const CheckOptions& options, std::stop_token stop);
+int run_check(const CheckOptions& options, Interruption& interruption);
 
 using CorrectOptions = PlanOptions;
-int run_correct(const CorrectOptions& options, std::stop_token stop);
+int run_correct(const CorrectOptions& options, Interruption& interruption);
 
 struct ReachOptions {
   PlanOptions plan;
   std::string target;  // "X,Y,Z[,QX,QY,QZ,QW]"
-  double at = 0;       // seconds
+  std::string at;      // seconds
   bool grasp = false;  // the target is the palm's
 };
-int run_reach(const ReachOptions& options, std::stop_token stop);
+int run_reach(const ReachOptions& options, Interruption& interruption);
 
 struct SolveOptions {
   std::string project;
@@ -41,7 +41,7 @@ struct SolveOptions {
   std::string report;
   std::string per_file;  // folder: each source that was changed, under its own name
 };
-int run_solve(const SolveOptions& options, std::stop_token stop);
+int run_solve(const SolveOptions& options, Interruption& interruption);
 
 struct RenderOptions {
   SceneOptions scene;
@@ -51,6 +51,6 @@ struct RenderOptions {
   int width = 0, height = 0;  // of one frame, pixels; 0: chosen
   std::string compare_clip;   // a second row that plays this clip
 };
-int run_render(const RenderOptions& options);
+int run_render(const RenderOptions& options, Interruption& interruption);
 
 }  // namespace elbowroom

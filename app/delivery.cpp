@@ -7,6 +7,7 @@
 #include "app/report.h"
 #include "app/terminal.h"
 #include "core/editing/deliver_clip.h"
+#include "core/io/project_file.h"
 
 namespace elbowroom {
 namespace {
@@ -31,90 +32,104 @@ void print_windows(const Session& session, const CorrectionOutcome& outcome) {
   }
 }
 
+// What is printed once the files are there.
+using Notes = std::vector<std::string>;
+
 // One file for each other way around, beside the best one's. Ways of several windows are not
 // combined: that they go together nobody has looked at.
-Status deliver_other_ways(const Session& session, const CorrectionOutcome& outcome,
-                          const std::filesystem::path& out) {
-  if (outcome.windows.size() != 1) return Done{};
+Status stage_other_ways(const Delivery& d, RunFiles& files, Notes& notes) {
+  if (d.outcome.windows.size() != 1) return Done{};
   std::size_t rank = 1;
-  for (const auto& other : outcome.other_ways) {
-    const auto clip = lay_over(session.scene.model().skeleton, *session.clip(), {other.correction});
+  for (const auto& other : d.outcome.other_ways) {
+    const auto clip = lay_over(d.session.scene.model().skeleton, *d.start, {other.correction});
     if (!clip) return clip.error();
-    const auto file = other_way_file(out, ++rank);
-    if (const auto written = deliver_clip(session.document.scene.character, *clip, file); !written)
-      return written.error();
-    std::printf("wrote %s, another way around: cost %.3f against %.3f\n", file.c_str(),
-                other.report.cost, outcome.windows.front().cost);
+    const auto file = other_way_file(d.outputs.out, ++rank);
+    if (const auto staged = stage_clip(d.session.document.scene.character, *clip, file, files);
+        !staged)
+      return staged.error();
+    char cost[64];
+    std::snprintf(cost, sizeof cost, "%.3f against %.3f", other.report.cost,
+                  d.outcome.windows.front().cost);
+    notes.push_back("wrote " + file.string() + ", another way around: cost " + cost);
   }
   return Done{};
 }
 
-}  // namespace
-
-std::filesystem::path other_way_file(const std::filesystem::path& out, std::size_t rank) {
-  std::filesystem::path file = out;
-  file.replace_filename(out.stem().string() + "-" + std::to_string(rank) +
-                        out.extension().string());
-  return file;
+// All files but the report.
+Status stage_outputs(const Delivery& d, RunFiles& files, Notes& notes) {
+  const auto& source = d.session.document.scene.character;
+  const auto exported = stage_clip(source, *d.outcome.clip, d.outputs.out, files);
+  if (!exported) return exported.error();
+  print_warnings(exported->warnings);
+  if (exported->animations.empty())
+    notes.push_back("nothing to correct; " + d.outputs.out.string() + " is a copy");
+  else
+    notes.push_back("wrote " + d.outputs.out.string() + " with the animation \"" +
+                    exported->animations.front().name + "\"");
+  if (Status others = stage_other_ways(d, files, notes); !others) return others;
+  if (const auto patched = per_file_target(d.outputs, source); !patched.empty()) {
+    if (const auto staged = stage_clip(source, *d.outcome.clip, patched, files); !staged)
+      return staged.error();
+    notes.push_back("wrote " + patched.string());
+  }
+  if (!d.outputs.save_project.empty()) {
+    const auto text = project_text(d.outputs.save_project, d.document, d.opened_from);
+    if (!text) return text.error();
+    if (Status staged = files.stage(d.outputs.save_project, *text); !staged) return staged;
+    notes.push_back("wrote " + d.outputs.save_project.string());
+  }
+  return Done{};
 }
 
-int refuse(const Error& error, const std::string& report) {
-  print_error(error);
-  if (Status written = write_report(report, error_report(error)); !written)
+// A report that is all that is written. What can't be written is told of, once.
+void write_alone(const std::filesystem::path& report, const std::string& text,
+                 const std::string& told_of = {}) {
+  if (Status written = write_report(report, text); !written && written.error().where != told_of)
     print_error(written.error());
+}
+
+}  // namespace
+
+int leave_interrupted(const std::filesystem::path& report, const std::string& text) {
+  clear_progress();
+  std::fprintf(stderr, "elbowroom: interrupted; nothing written%s\n",
+               report.empty() ? "" : " but the report");
+  write_alone(report, text);
+  return kExitInterrupted;
+}
+
+int refuse(const Error& error, const std::filesystem::path& report, Interruption& interruption) {
+  if (!interruption.settle()) return leave_interrupted(report, empty_report("interrupted"));
+  print_error(error);
+  write_alone(report, error_report(error), error.where);
   return kExitBadInput;
 }
 
-int deliver(const Session& session, const SceneCollision& scene, const CorrectionOutcome& outcome,
-            const DeliveryPlaces& places) {
+int deliver(const Delivery& d, RunFiles& files, Interruption& interruption) {
   clear_progress();
+  print_windows(d.session, d.outcome);
   const auto report = [&](const std::string& status) {
-    Status written =
-        write_report(places.report, correction_report(status, session, scene, outcome, places));
-    if (!written) print_error(written.error());
-    return written.ok();
+    return correction_report(status, d.session, d.scene, d.outcome, d.outputs);
   };
-  print_windows(session, outcome);
-  if (outcome.cancelled()) {
-    report("interrupted");
-    return kExitInterrupted;
-  }
-  if (!outcome.all_corrected()) {
-    report("failed");
+  if (!interruption.settle() || d.outcome.cancelled())
+    return leave_interrupted(d.outputs.report, report("interrupted"));
+  if (!d.outcome.all_corrected()) {
+    write_alone(d.outputs.report, report("failed"));
     std::fprintf(stderr,
                  "elbowroom: no valid motion was found for every window; nothing written\n");
     return kExitNoMotion;
   }
 
-  const auto& source = session.document.scene.character;
-  const auto exported = deliver_clip(source, *outcome.clip, places.out);
-  if (!exported) return refuse(exported.error(), places.report);
-  print_warnings(exported->warnings);
-  if (!exported->animations.empty())
-    std::printf("wrote %s with the animation \"%s\"\n", places.out.c_str(),
-                exported->animations.front().name.c_str());
-  else
-    std::printf("nothing to correct; %s is a copy\n", places.out.c_str());
-  if (Status others = deliver_other_ways(session, outcome, places.out); !others)
-    return refuse(others.error(), places.report);
-  if (!places.per_file.empty()) {
-    const auto patched = places.per_file / source.filename();
-    std::error_code failed;
-    std::filesystem::create_directories(places.per_file, failed);
-    if (failed)
-      return refuse({"the folder can't be made: " + failed.message(), places.per_file.string(),
-                     "choose another one"},
-                    places.report);
-    if (std::filesystem::equivalent(patched, source, failed))
-      return refuse({"that would write over the source", patched.string(),
-                     "choose another folder for --per-file"},
-                    places.report);
-    if (const auto written = deliver_clip(source, *outcome.clip, patched); !written)
-      return refuse(written.error(), places.report);
-    std::printf("wrote %s\n", patched.c_str());
-  }
-  return report(exported->animations.empty() ? "nothing_to_correct" : "corrected") ? kExitDone
-                                                                                   : kExitBadInput;
+  Notes notes;
+  Status written = stage_outputs(d, files, notes);
+  if (written && !d.outputs.report.empty())
+    written =
+        files.stage(d.outputs.report,
+                    report(d.outcome.corrections.empty() ? "nothing_to_correct" : "corrected"));
+  if (written) written = files.commit();
+  if (!written) return refuse(written.error(), d.outputs.report, interruption);
+  for (const std::string& note : notes) std::printf("%s\n", note.c_str());
+  return kExitDone;
 }
 
 }  // namespace elbowroom

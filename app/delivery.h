@@ -1,32 +1,43 @@
 // SPDX-License-Identifier: MIT
-// From a correction's outcome to a file on disk that has been read back and compared, the report
-// beside it and the exit code. Shared by `correct` and `solve`.
+// How a run ends: files on disk that have been read back and compared, the report beside them, the
+// exit code. Shared by the commands.
+//
+// All files are staged, and get their names only when nothing can fail any more: with an exit code
+// other than 0 nothing is written but the report.
 #pragma once
 
 #include <filesystem>
-#include <stop_token>
+#include <memory>
 #include <string>
 
+#include "app/interruption.h"
+#include "app/outputs.h"
 #include "core/editing/correct.h"
 #include "core/editing/session.h"
 
 namespace elbowroom {
 
-struct DeliveryPlaces {
-  std::filesystem::path out;
-  std::string report;                // may be empty
-  std::filesystem::path per_file{};  // folder for the source's own name; may be empty
+// What a run came to.
+struct Delivery {
+  const Session& session;
+  const SceneCollision& scene;
+  const CorrectionOutcome& outcome;
+  std::shared_ptr<const Clip> start;  // that the outcome's corrections lie over
+  const Outputs& outputs;
+  // Of --save-project: with the task and its corrections, and where it was opened from.
+  const Document& document;
+  std::filesystem::path opened_from;
 };
 
-// Where the way around of that rank goes, 2 being the second best: OUT-2.glb beside OUT.glb.
-std::filesystem::path other_way_file(const std::filesystem::path& out, std::size_t rank);
+// Prints what was done, writes the outputs, and returns the exit code: of a run that was
+// interrupted, failed, or is done.
+int deliver(const Delivery& delivery, RunFiles& files, Interruption& interruption);
 
-// Writes out and report, prints what was done, and returns the exit code. Nothing but the report is
-// written unless every window was corrected (or there was nothing to correct).
-int deliver(const Session& session, const SceneCollision& scene, const CorrectionOutcome& outcome,
-            const DeliveryPlaces& places);
+// An error before there was an outcome: message, report, exit code 2; or 130 where the error is
+// that the run was interrupted.
+int refuse(const Error& error, const std::filesystem::path& report, Interruption& interruption);
 
-// An error before there was an outcome: message, report, exit code 2.
-int refuse(const Error& error, const std::string& report);
+// What a run that was interrupted says and writes; its exit code.
+int leave_interrupted(const std::filesystem::path& report, const std::string& text);
 
 }  // namespace elbowroom

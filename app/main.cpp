@@ -1,45 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The program: reads the command line and hands over to a command.
-#include <signal.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <stop_token>
-#include <thread>
 
 #include "app/commands.h"
 #include "app/editor/window.h"
 #include "app/exit_codes.h"
+#include "app/interruption.h"
 #include "app/terminal.h"
 
 namespace {
 
 using namespace elbowroom;
-
-// SIGINT becomes a stop request: a thread of its own waits for the signal, since almost nothing may
-// be done in a handler. A second one ends the program at once.
-class Interruption {
- public:
-  Interruption() {
-    sigemptyset(&signals_);
-    sigaddset(&signals_, SIGINT);
-    pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
-    std::thread([signals = signals_, source = source_]() mutable {
-      for (int seen = 0;; ++seen) {
-        int signal = 0;
-        if (sigwait(&signals, &signal) != 0) return;
-        if (seen > 0) _exit(kExitInterrupted);
-        source.request_stop();
-      }
-    }).detach();
-  }
-  std::stop_token token() const { return source_.get_token(); }
-
- private:
-  sigset_t signals_;
-  std::stop_source source_;
-};
 
 int run_window(const std::vector<std::string>& files, const std::string& frame_log,
                const std::string& widget_log) {
@@ -152,13 +124,16 @@ int main(int argc, char** argv) {
     return code == 0 ? kExitDone : kExitUsage;
   }
   if (info_command->parsed()) return run_info(info);
-  if (render_command->parsed()) return run_render(render);
   const bool editor = program.get_subcommands().empty();
   if (editor) return run_window(files, frame_log, widget_log);
-  const Interruption interruption;
-  if (check_command->parsed()) return run_check(check, interruption.token());
-  if (correct_command->parsed()) return run_correct(correct, interruption.token());
-  if (reach_command->parsed()) return run_reach(reach, interruption.token());
-  if (solve_command->parsed()) return run_solve(solve, interruption.token());
+  if (render_command->parsed()) {
+    Interruption interruption(1);
+    return run_render(render, interruption);
+  }
+  Interruption interruption;
+  if (check_command->parsed()) return run_check(check, interruption);
+  if (correct_command->parsed()) return run_correct(correct, interruption);
+  if (reach_command->parsed()) return run_reach(reach, interruption);
+  if (solve_command->parsed()) return run_solve(solve, interruption);
   return kExitUsage;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/io/project_file.h"
+#include "core/scene/placeable.h"
 
 namespace elbowroom {
 namespace {
@@ -21,7 +22,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-std::optional<double> parse_number(const std::string& text) {
+std::optional<double> number_of(const std::string& text) {
   double value = 0;
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
@@ -65,16 +66,19 @@ Result<AttachedFile> parse_attachment(const std::string& text) {
   const auto fields = split(text.substr(at + 1), ',');
   std::size_t numbers = 0;
   while (numbers + 1 < fields.size() && numbers < 7 &&
-         parse_number(fields[fields.size() - 1 - numbers]))
+         number_of(fields[fields.size() - 1 - numbers]))
     ++numbers;
   if (numbers != 0 && numbers != 3 && numbers != 7)
     return Error{std::to_string(numbers) + " numbers in \"" + text + "\"", "--attach", form};
   std::vector<double> value;
   for (std::size_t i = fields.size() - numbers; i < fields.size(); ++i)
-    value.push_back(*parse_number(fields[i]));
+    value.push_back(*number_of(fields[i]));
   for (std::size_t i = 0; i + numbers < fields.size(); ++i)
     attached.joint += (i ? "," : "") + fields[i];
   if (numbers >= 3) attached.joint_from_object.translation = {value[0], value[1], value[2]};
+  if (!is_placeable(attached.joint_from_object.translation))
+    return Error{"the place in \"" + text + "\" is too far away", "--attach",
+                 "give it in scene units, near the joint"};
   if (numbers == 7) {
     const Quat rotation(value[6], value[3], value[4], value[5]);
     if (glm::length(rotation) < 1e-6)
@@ -88,7 +92,7 @@ Result<HandTarget> parse_target(const std::string& text) {
   const std::string form = "the form is X,Y,Z[,QX,QY,QZ,QW]";
   std::vector<double> value;
   for (const auto& part : split(text, ',')) {
-    const auto number = parse_number(part);
+    const auto number = number_of(part);
     if (!number) return Error{"\"" + part + "\" is no number", "--target", form};
     value.push_back(*number);
   }
@@ -96,6 +100,9 @@ Result<HandTarget> parse_target(const std::string& text) {
     return Error{std::to_string(value.size()) + " numbers in \"" + text + "\"", "--target", form};
   HandTarget target;
   target.position = {value[0], value[1], value[2]};
+  if (!is_placeable(target.position))
+    return Error{"the place in \"" + text + "\" is too far away", "--target",
+                 "give it in scene units, near the character"};
   if (value.size() == 7) {
     const Quat rotation(value[6], value[3], value[4], value[5]);
     if (glm::length(rotation) < 1e-6)
@@ -108,8 +115,8 @@ Result<HandTarget> parse_target(const std::string& text) {
 Result<std::optional<Interval>> parse_window(const std::string& text) {
   if (text == "auto") return std::optional<Interval>();
   const auto parts = split(text, ':');
-  const auto begin = parts.size() == 2 ? parse_number(parts[0]) : std::nullopt;
-  const auto end = parts.size() == 2 ? parse_number(parts[1]) : std::nullopt;
+  const auto begin = parts.size() == 2 ? number_of(parts[0]) : std::nullopt;
+  const auto end = parts.size() == 2 ? number_of(parts[1]) : std::nullopt;
   if (!begin || !end || !(*begin < *end))
     return Error{"\"" + text + "\" is no window", "--window",
                  "the form is BEGIN:END in seconds, BEGIN before END, or auto"};
@@ -119,7 +126,7 @@ Result<std::optional<Interval>> parse_window(const std::string& text) {
 Result<std::vector<double>> parse_times(const std::string& text) {
   std::vector<double> times;
   for (const auto& part : split(text, ',')) {
-    const auto time = parse_number(part);
+    const auto time = number_of(part);
     if (!time)
       return Error{"\"" + part + "\" is no time", "--times", "the form is T1,T2,... in seconds"};
     times.push_back(*time);
@@ -127,17 +134,57 @@ Result<std::vector<double>> parse_times(const std::string& text) {
   return times;
 }
 
-Result<Document> document_from(const SceneOptions& options) {
+Status check_file_name(const std::string& file, const std::string& option) {
+  if (!file.empty()) return Done{};
+  return Error{"the name of the file is empty", option, "name a file"};
+}
+
+Result<double> parse_number(const std::string& text, const std::string& option) {
+  const auto number = number_of(text);
+  if (!number) return Error{"\"" + text + "\" is no number", option, "give one such as 0.5"};
+  return *number;
+}
+
+Result<double> parse_length(const std::string& text, const std::string& option) {
+  const auto number = number_of(text);
+  if (!number || *number < 0)
+    return Error{"\"" + text + "\" is no length", option,
+                 "give a number of scene units, 0 or more"};
+  return *number;
+}
+
+Result<std::uint64_t> parse_seed(const std::string& text) {
+  std::uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end)
+    return Error{"\"" + text + "\" is no seed", "--seed",
+                 "give a whole number from 0 to 18446744073709551615"};
+  return value;
+}
+
+Status check_scene_options(const SceneOptions& options) {
   if (!options.project.empty()) {
     if (!options.character.empty() || !options.obstacles.empty() || !options.attachments.empty())
       return Error{"a project file and scene options are given together", options.project,
                    "give one or the other"};
+    return Done{};
+  }
+  if (options.character.empty())
+    return Error{"there is no scene", "", "give PROJECT.elbow or --character FILE"};
+  for (const auto& file : options.obstacles)
+    if (Status named = check_file_name(file, "--obstacles"); !named) return named;
+  for (const auto& text : options.attachments)
+    if (const auto attached = parse_attachment(text); !attached) return attached.error();
+  return Done{};
+}
+
+Result<Document> document_from(const SceneOptions& options) {
+  if (!options.project.empty()) {
     auto document = read_project(options.project);
     if (document && !options.clip.empty()) document->scene.clip = options.clip;
     return document;
   }
-  if (options.character.empty())
-    return Error{"there is no scene", "", "give PROJECT.elbow or --character FILE"};
   Document document;
   document.scene.character = options.character;
   document.scene.clip = options.clip;

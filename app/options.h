@@ -2,6 +2,7 @@
 // Options that several commands share: one definition and one spelling.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,9 +27,20 @@ struct SceneOptions {
 };
 void add_scene_options(CLI::App& command, SceneOptions& options);
 
-// What SCENE-ARGS and LIMB mean. Errors are wrong usage (exit 1) unless a project file can't be
-// read.
+// What is wrong with them as they were typed; reads nothing. Errors are wrong usage.
+Status check_scene_options(const SceneOptions& options);
+
+// The document that they mean. Requires check_scene_options; errors are a project file's.
 Result<Document> document_from(const SceneOptions& options);
+
+// A file's name that has to be given. Error: it is empty.
+Status check_file_name(const std::string& file, const std::string& option);
+
+// Numbers; `option` names the option for the error.
+Result<double> parse_number(const std::string& text, const std::string& option);
+Result<double> parse_length(const std::string& text, const std::string& option);  // not negative
+// A whole number that 64 bits hold.
+Result<std::uint64_t> parse_seed(const std::string& text);
 
 // O.glb@JOINT[,X,Y,Z[,QX,QY,QZ,QW]]
 Result<AttachedFile> parse_attachment(const std::string& text);

@@ -2,12 +2,13 @@
 #include "app/plan_command.h"
 
 #include <CLI/CLI.hpp>
+#include <utility>
 
 #include "app/delivery.h"
 #include "app/exit_codes.h"
+#include "app/planning_run.h"
 #include "app/terminal.h"
-#include "core/editing/solve_task.h"
-#include "core/io/project_file.h"
+#include "core/editing/unique_names.h"
 
 namespace elbowroom {
 namespace {
@@ -42,8 +43,7 @@ void add_plan_options(CLI::App& command, PlanOptions& options, const std::string
   command
       .add_option("--clearance", options.clearance,
                   "distance to keep, scene units (default 5 mm for a height of 1.75 m)")
-      ->type_name("D")
-      ->check(CLI::NonNegativeNumber);
+      ->type_name("D");
   command
       .add_option("--sample", options.sampling,
                   "a DOF's sampling interval in degrees, \"Elbow, flexion=20:120\"; may be given "
@@ -61,50 +61,51 @@ void add_plan_options(CLI::App& command, PlanOptions& options, const std::string
 }
 
 Status read_plan_options(const PlanOptions& options, Task& task) {
+  if (Status scene = check_scene_options(options.scene); !scene) return scene;
+  if (Status out = check_file_name(options.out, "-o"); !out) return out;
   task.limb = options.limb;
   const auto window = parse_window(options.window);
   if (!window) return window.error();
   task.window = *window;
-  task.wishes.seed = options.seed;
+  const auto seed = parse_seed(options.seed);
+  if (!seed) return seed.error();
+  const auto clearance = parse_length(options.clearance, "--clearance");
+  if (!clearance) return clearance.error();
+  task.wishes.seed = *seed;
   task.wishes.alternatives = options.alternatives;
-  task.wishes.clearance = options.clearance;
+  task.wishes.clearance = *clearance;
   for (const auto& text : options.sampling) {
     const auto sampling = parse_sampling(text);
     if (!sampling) return sampling.error();
-    task.wishes.sampling.insert(*sampling);
+    if (!task.wishes.sampling.insert(*sampling).second)
+      return Error{"\"" + sampling->first + "\" is given more than one interval", "--sample",
+                   "give each DOF once"};
   }
   return Done{};
 }
 
-int run_task(const PlanOptions& options, const Task& task, std::stop_token stop) {
+int run_task(const PlanOptions& options, Task task, Interruption& interruption) {
+  PlanningRun run;
+  run.project = options.scene.project;
+  run.over_corrections = run.typed = true;
+  run.outputs.out = options.out;
+  run.outputs.report = options.report;
+  run.outputs.save_project = options.save_project;
+  run.outputs.ways = options.alternatives;
+  // The project is safe from the report of what is wrong with it.
+  RunFiles files;
+  files.reads(run.project, "the project");
+  declare_outputs(run.outputs, {}, run.project, files);
+  if (Status distinct = files.check_distinct(); !distinct) {
+    print_error(distinct.error());
+    return kExitUsage;
+  }
   auto document = document_from(options.scene);
-  if (!document) {
-    print_error(document.error());
-    return options.scene.project.empty() ? kExitUsage : kExitBadInput;
-  }
-  auto session = open_session(*document, task.limb);
-  if (!session) return refuse(session.error(), options.report);
-  print_warnings(session->warnings);
-  if (const auto limbs = limbs_named(*session, task.limb); !limbs)
-    return refuse(limbs.error(), options.report);
-  const ProgressSink progress = terminal_progress();
-  if (progress) progress({"looking at the scene", -1});
-  auto scene = contacts_of(*session, stop);
-  if (!scene && stop.stop_requested()) return kExitInterrupted;
-  if (!scene) return refuse(scene.error(), options.report);
-  const auto outcome = solve_task(*scene, *session, task, stop, progress);
-  if (!outcome) return refuse(outcome.error(), options.report);
-  const int code = deliver(*session, *scene, *outcome, {options.out, options.report});
-  if (code == kExitDone && !options.save_project.empty()) {
-    document->tasks.push_back(task);
-    document->corrections.insert(document->corrections.end(), outcome->corrections.begin(),
-                                 outcome->corrections.end());
-    if (Status saved = write_project(options.save_project, *document); !saved) {
-      print_error(saved.error());
-      return kExitBadInput;
-    }
-  }
-  return code;
+  if (!document) return refuse(document.error(), options.report, interruption);
+  run.document = std::move(*document);
+  task.name = unique_task_name(run.document, task.name);
+  run.tasks = {std::move(task)};
+  return run_planning(run, interruption);
 }
 
 }  // namespace elbowroom

@@ -3,11 +3,10 @@
 // delivered files.
 #pragma once
 
-#include <cstdint>
-#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "app/interruption.h"
 #include "app/options.h"
 #include "core/base/result.h"
 #include "core/editing/document.h"
@@ -18,9 +17,9 @@ struct PlanOptions {
   SceneOptions scene;
   std::string limb = "auto";
   std::string window = "auto";
-  std::uint64_t seed = 1;
+  std::string seed = "1";
   int alternatives = 1;
-  double clearance = 0;
+  std::string clearance = "0";
   std::vector<std::string> sampling;  // "DOF=LOWER:UPPER" in degrees
   std::string out;
   std::string report;
@@ -33,8 +32,8 @@ void add_plan_options(CLI::App& command, PlanOptions& options, const std::string
 // Limb, window and wishes as typed. Errors are wrong usage.
 Status read_plan_options(const PlanOptions& options, Task& task);
 
-// Solves the task in the scene of the options, delivers the outcome and saves the project if asked
-// to; prints, and returns the exit code.
-int run_task(const PlanOptions& options, const Task& task, std::stop_token stop);
+// Solves the task in the scene of the options, on top of the corrections that a project has;
+// delivers the outcome and saves the project if asked to. Prints, and returns the exit code.
+int run_task(const PlanOptions& options, Task task, Interruption& interruption);
 
 }  // namespace elbowroom

@@ -46,11 +46,21 @@ std::string text_of(const Json& report) {
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+Json nothing_of(const std::string& status) {
+  Json report;
+  report["status"] = status;
+  report["clip"] = Json();
+  for (const char* list : {"corrections", "collisions_before", "collisions_after", "other_contacts",
+                           "allowed_contacts", "limits_widened", "warnings"})
+    report[list] = Json::array();
+  return report;
+}
+
 }  // namespace
 
 std::string correction_report(const std::string& status, const Session& session,
                               const SceneCollision& scene, const CorrectionOutcome& outcome,
-                              const DeliveryPlaces& places) {
+                              const Outputs& outputs) {
   Json report;
   report["status"] = status;
   report["clip"] = session.clip_name();
@@ -96,7 +106,7 @@ std::string correction_report(const std::string& status, const Session& session,
                  {"peak_acceleration", way.peak_acceleration},
                  {"deviation_from_clip", way.deviation_from_clip}};
       ++rank;
-      if (outcome.windows.size() == 1) entry["file"] = other_way_file(places.out, rank).string();
+      if (outcome.windows.size() == 1) entry["file"] = other_way_file(outputs.out, rank).string();
       item["alternatives"].push_back(std::move(entry));
     }
     if (window.status == CorrectionStatus::failed) {
@@ -138,11 +148,11 @@ std::string check_report(const std::string& status, const Session& session,
   return text_of(report);
 }
 
+std::string empty_report(const std::string& status) { return text_of(nothing_of(status)); }
+
 std::string error_report(const Error& error) {
-  Json report;
-  report["status"] = "bad_input";
+  Json report = nothing_of("bad_input");
   report["error"] = {{"what", error.what}, {"where", error.where}, {"remedy", error.remedy}};
-  report["corrections"] = Json::array();
   return text_of(report);
 }
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "app/delivery.h"
+#include "app/outputs.h"
 #include "core/base/result.h"
 #include "core/editing/correct.h"
 #include "core/editing/session.h"
@@ -16,14 +16,16 @@ namespace elbowroom {
 // status: "corrected", "nothing_to_correct", "failed", "interrupted".
 std::string correction_report(const std::string& status, const Session& session,
                               const SceneCollision& scene, const CorrectionOutcome& outcome,
-                              const DeliveryPlaces& places);
+                              const Outputs& outputs);
 
 // status: "free", "contacts".
 std::string check_report(const std::string& status, const Session& session,
                          const SceneCollision& scene, const std::vector<ContactInterval>& contacts,
                          const std::vector<ContactInterval>& others);
 
-// status "bad_input" with the error.
+// Of a run that came to nothing: every member is there, the clip is null, lists are empty.
+std::string empty_report(const std::string& status);
+// The same with the error; status "bad_input".
 std::string error_report(const Error& error);
 
 // Writes the report whole or not at all; `path` empty: does nothing.

@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "app/commands.h"
+#include "app/delivery.h"
 #include "app/exit_codes.h"
 #include "app/report.h"
 #include "app/terminal.h"
@@ -13,32 +14,39 @@ constexpr double kScanRate = 120;  // Hz; ends of intervals are bisected further
 
 }  // namespace
 
-int run_check(const CheckOptions& options, std::stop_token stop) {
-  const auto document = document_from(options.scene);
-  if (!document) {
-    print_error(document.error());
-    return options.scene.project.empty() ? kExitUsage : kExitBadInput;
-  }
-  const auto refuse = [&](const Error& error) {
+int run_check(const CheckOptions& options, Interruption& interruption) {
+  Status usage = check_scene_options(options.scene);
+  RunFiles files;
+  files.reads(options.scene.project, "the project");
+  files.writes(options.report, "--report");
+  if (usage) usage = files.check_distinct();
+  const auto wrong_usage = [](const Error& error) {
     print_error(error);
-    if (Status written = write_report(options.report, error_report(error)); !written)
-      print_error(written.error());
-    return kExitBadInput;
+    return kExitUsage;
   };
+  if (!usage) return wrong_usage(usage.error());
+  const auto refused = [&](const Error& error) {
+    return refuse(error, options.report, interruption);
+  };
+  const auto document = document_from(options.scene);
+  if (!document) return refused(document.error());
+  files.reads(document->scene);
+  if (Status distinct = files.check_distinct(); !distinct) return wrong_usage(distinct.error());
+  if (Status places = files.check_places(); !places) return refused(places.error());
   auto session = open_session(*document);
-  if (!session) return refuse(session.error());
+  if (!session) return refused(session.error());
   print_warnings(session->warnings);
   const ProgressSink progress = terminal_progress();
   if (progress) progress({"looking for contacts", -1});
-  auto scene = contacts_of(*session, stop);
-  if (!scene && stop.stop_requested()) return kExitInterrupted;
-  if (!scene) return refuse(scene.error());
+  auto scene = contacts_of(*session, interruption.token());
+  if (!scene) return refused(scene.error());
   std::vector<ContactInterval> contacts, others;
   const auto& clip = session->clip();
-  for (auto& contact : scene->scan(clip->begin, clip->end, kScanRate, -1, false, stop))
+  for (auto& contact :
+       scene->scan(clip->begin, clip->end, kScanRate, -1, false, interruption.token()))
     (contact.deepest.limb < 0 ? others : contacts).push_back(contact);
   clear_progress();
-  if (stop.stop_requested()) return kExitInterrupted;
+  if (!interruption.settle()) return leave_interrupted(options.report, empty_report("interrupted"));
 
   const auto print = [&](const ContactInterval& contact) {
     std::printf(

@@ -5,14 +5,14 @@
 
 namespace elbowroom {
 
-int run_correct(const CorrectOptions& options, std::stop_token stop) {
+int run_correct(const CorrectOptions& options, Interruption& interruption) {
   Task task;
   task.name = "correct " + options.limb;
   if (Status read = read_plan_options(options, task); !read) {
     print_error(read.error());
     return kExitUsage;
   }
-  return run_task(options, task, stop);
+  return run_task(options, task, interruption);
 }
 
 }  // namespace elbowroom

@@ -64,6 +64,10 @@ void print_text(const Model& model, const Json& info) {
 }  // namespace
 
 int run_info(const InfoOptions& options) {
+  if (Status named = check_file_name(options.file, "FILE"); !named) {
+    print_error(named.error());
+    return kExitUsage;
+  }
   ReadOptions read;
   read.images = false;
   // Of a project its character's file, with the limbs that it sets by hand.

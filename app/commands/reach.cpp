@@ -5,13 +5,15 @@
 
 namespace elbowroom {
 
-int run_reach(const ReachOptions& options, std::stop_token stop) {
+int run_reach(const ReachOptions& options, Interruption& interruption) {
   Task task;
   task.kind = TaskKind::reach;
   task.name = "reach " + options.plan.limb;
   Status read = read_plan_options(options.plan, task);
   const auto target = parse_target(options.target);
   if (read && !target) read = target.error();
+  const auto at = parse_number(options.at, "--at");
+  if (read && !at) read = at.error();
   if (read && options.plan.limb == "auto")
     read = Error{"a target is reached by one limb", "--limb",
                  "name it: left_arm, right_arm, left_leg, right_leg or FROM..TO"};
@@ -20,9 +22,9 @@ int run_reach(const ReachOptions& options, std::stop_token stop) {
     return kExitUsage;
   }
   task.target = *target;
-  task.target->time = options.at;
+  task.target->time = *at;
   task.target->grasp = options.grasp;
-  return run_task(options.plan, task, stop);
+  return run_task(options.plan, task, interruption);
 }
 
 }  // namespace elbowroom

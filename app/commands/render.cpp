@@ -6,6 +6,7 @@
 #include "app/exit_codes.h"
 #include "app/terminal.h"
 #include "core/editing/session.h"
+#include "core/io/run_files.h"
 #include "render/filmstrip.h"
 
 namespace elbowroom {
@@ -41,15 +42,27 @@ int bad_input(const Error& error) {
   return kExitBadInput;
 }
 
+int wrong_usage(const Error& error) {
+  print_error(error);
+  return kExitUsage;
+}
+
 }  // namespace
 
-int run_render(const RenderOptions& options) {
-  const auto document = document_from(options.scene);
+int run_render(const RenderOptions& options, Interruption& interruption) {
   const auto times = parse_times(options.times);
-  if (!document || !times) {
-    print_error(document ? times.error() : document.error());
-    return document || options.scene.project.empty() ? kExitUsage : kExitBadInput;
-  }
+  Status usage = check_scene_options(options.scene);
+  if (usage) usage = check_file_name(options.out, "-o");
+  if (usage && !times) usage = times.error();
+  if (!usage) return wrong_usage(usage.error());
+  const auto document = document_from(options.scene);
+  if (!document) return bad_input(document.error());
+  RunFiles files;
+  files.reads(options.scene.project, "the project");
+  files.reads(document->scene);
+  files.writes(options.out, "-o");
+  if (Status distinct = files.check_distinct(); !distinct) return wrong_usage(distinct.error());
+  if (Status places = files.check_places(); !places) return bad_input(places.error());
   auto session = open_session(*document);
   if (!session) return bad_input(session.error());
   std::vector<std::string> warnings = session->warnings;
@@ -107,8 +120,13 @@ int run_render(const RenderOptions& options) {
   const auto picture = render_filmstrip(request, &warnings);
   print_warnings(warnings);
   if (!picture) return bad_input(picture.error());
-  if (Status written = write_png(*picture, options.out); !written)
-    return bad_input(written.error());
+  const auto bytes = encode_png(*picture);
+  if (!bytes) return bad_input(bytes.error());
+  if (!interruption.settle()) return kExitInterrupted;
+  Status written =
+      files.stage(options.out, {reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+  if (written) written = files.commit();
+  if (!written) return bad_input(written.error());
   std::printf("wrote %s, %d x %d\n", options.out.c_str(), picture->width, picture->height);
   return kExitDone;
 }

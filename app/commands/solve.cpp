@@ -1,55 +1,55 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "app/commands.h"
 #include "app/delivery.h"
 #include "app/exit_codes.h"
+#include "app/planning_run.h"
 #include "app/terminal.h"
-#include "core/editing/solve_task.h"
 #include "core/io/project_file.h"
 
 namespace elbowroom {
+namespace {
 
-int run_solve(const SolveOptions& options, std::stop_token stop) {
-  const auto document = read_project(options.project);
-  if (!document) return refuse(document.error(), options.report);
-  // Limbs named by joints are fitted besides the usual ones; a project may name one.
-  std::string extra;
-  for (const auto& task : document->tasks)
-    if (task.limb.find("..") != std::string::npos) extra = task.limb;
-  auto session = open_session(*document, extra);
-  if (!session) return refuse(session.error(), options.report);
-  print_warnings(session->warnings);
-  const ProgressSink progress = terminal_progress();
-  auto scene = contacts_of(*session, stop);
-  if (!scene && stop.stop_requested()) return kExitInterrupted;
-  if (!scene) return refuse(scene.error(), options.report);
-
-  // A task all of whose corrections the animator has muted is passed over.
-  const auto muted = [&](const Task& task) {
-    bool any = false;
-    for (const Correction& correction : document->corrections) {
-      if (task.name.empty() || correction.task != task.name) continue;
-      if (!correction.muted) return false;
-      any = true;
-    }
-    return any;
-  };
-
-  CorrectionOutcome whole;
-  whole.clip = session->clip();
-  for (const auto& task : document->tasks) {
-    if (muted(task)) continue;
-    auto outcome = solve_task(*scene, *session, task, stop, progress);  // on the last one's clip
-    if (!outcome) return refuse(outcome.error(), options.report);
-    for (const auto& contact : outcome->before) whole.before.push_back(contact);
-    whole.after = outcome->after;
-    if (whole.other.empty()) whole.other = outcome->other;
-    for (auto& window : outcome->windows) whole.windows.push_back(std::move(window));
-    for (auto& correction : outcome->corrections)
-      whole.corrections.push_back(std::move(correction));
-    whole.clip = outcome->clip;
-    if (stop.stop_requested()) break;
+// A task all of whose corrections the animator has muted is passed over.
+bool is_muted(const Document& document, const Task& task) {
+  bool any = false;
+  for (const Correction& correction : document.corrections) {
+    if (task.name.empty() || correction.task != task.name) continue;
+    if (!correction.muted) return false;
+    any = true;
   }
-  return deliver(*session, *scene, whole, {options.out, options.report, options.per_file});
+  return any;
+}
+
+}  // namespace
+
+int run_solve(const SolveOptions& options, Interruption& interruption) {
+  PlanningRun run;
+  run.project = options.project;
+  run.outputs.out = options.out;
+  run.outputs.report = options.report;
+  run.outputs.per_file = options.per_file;
+  Status usage = check_file_name(options.project, "PROJECT");
+  if (usage) usage = check_file_name(options.out, "-o");
+  // The project's own name is safe from the report of what is wrong with it.
+  RunFiles files;
+  files.reads(run.project, "the project");
+  declare_outputs(run.outputs, {}, {}, files);
+  if (usage) usage = files.check_distinct();
+  if (!usage) {
+    print_error(usage.error());
+    return kExitUsage;
+  }
+  auto document = read_project(options.project);
+  if (!document) return refuse(document.error(), options.report, interruption);
+  run.document = std::move(*document);
+  for (const Task& task : run.document.tasks) {
+    if (is_muted(run.document, task)) continue;
+    run.outputs.ways = std::max(run.outputs.ways, task.wishes.alternatives);
+    run.tasks.push_back(task);
+  }
+  return run_planning(run, interruption);
 }
 
 }  // namespace elbowroom

@@ -6,6 +6,7 @@
 #include "core/anatomy/bound_figure.h"
 #include "core/anatomy/limb.h"
 #include "core/anatomy/limb_joints.h"
+#include "core/scene/joint_name.h"
 
 namespace elbowroom {
 namespace {
@@ -39,20 +40,8 @@ std::string joints_like(const Model& model, const Character& character, const st
   return text;
 }
 
-// The joint of that name: one that a skin uses before any other node; else by node index; -1.
 int joint_named(const Model& model, const Character& character, const std::string& name) {
-  const auto& joints = model.skeleton.joints;
-  for (const int joint : character.joints) {
-    if (joints[static_cast<std::size_t>(joint)].name == name) return joint;
-  }
-  const int any = model.skeleton.find(name);
-  if (any >= 0) return any;
-  const bool number =
-      !name.empty() && name.size() < 9 &&
-      std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
-  if (!number) return -1;
-  const int index = std::stoi(name);
-  return index < model.skeleton.size() ? index : -1;
+  return joint_of_name(model, character, name).node;
 }
 
 // The joint between the ends of a chain that serves best as its hinge: the one that leaves two

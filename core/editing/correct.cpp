@@ -80,9 +80,22 @@ bool CorrectionOutcome::all_corrected() const {
 }
 
 bool CorrectionOutcome::cancelled() const {
-  return std::any_of(windows.begin(), windows.end(), [](const WindowReport& window) {
-    return window.status == CorrectionStatus::cancelled;
-  });
+  return interrupted || std::any_of(windows.begin(), windows.end(), [](const WindowReport& window) {
+           return window.status == CorrectionStatus::cancelled;
+         });
+}
+
+void look_at_contacts(SceneCollision& scene, const std::vector<int>& limbs,
+                      std::vector<ContactInterval>& own, std::vector<ContactInterval>* other,
+                      const std::stop_token& stop) {
+  const auto& clip = scene.world().actors[static_cast<std::size_t>(scene.actor())].clip;
+  if (!clip) return;
+  for (auto& contact : scene.scan(clip->begin, clip->end, kScanRate, -1, false, stop)) {
+    if (involves(contact, limbs))
+      own.push_back(std::move(contact));
+    else if (contact.deepest.limb < 0 && other != nullptr)
+      other->push_back(std::move(contact));
+  }
 }
 
 Result<CorrectionOutcome> correct(SceneCollision& scene, const std::vector<int>& limbs,
@@ -106,16 +119,14 @@ Result<CorrectionOutcome> correct(SceneCollision& scene, const std::vector<int>&
   CorrectionOutcome outcome;
   outcome.clip = source;
   tell("looking for contacts", -1);
-  for (auto& contact : scene.scan(source->begin, source->end, kScanRate, -1, false, stop)) {
-    if (contact.deepest.limb < 0)
-      outcome.other.push_back(std::move(contact));
-    else if (involves(contact, limbs))
-      outcome.before.push_back(std::move(contact));
-  }
+  look_at_contacts(scene, limbs, outcome.before, &outcome.other, stop);
+  // Asked for while nothing was planned, or after the last plan: no window tells of it.
+  const auto interrupted = [&] { return outcome.interrupted = stop.stop_requested(); };
 
   const double clearance = task.wishes.clearance > 0 ? task.wishes.clearance
                                                      : scene.settings().clearance * scene.height();
   for (const int limb : limbs) {
+    if (interrupted()) return outcome;
     const auto& model_of_limb = scene.limbs()[static_cast<std::size_t>(limb)];
     // Earlier limbs' corrections may have changed this one's contacts: looked at afresh.
     scene.set_clip(outcome.clip);
@@ -165,27 +176,31 @@ Result<CorrectionOutcome> correct(SceneCollision& scene, const std::vector<int>&
         planned.report.suggestions =
             try_suggestions(scene, planned.report, task.wishes, stop, progress);
       outcome.windows.push_back(planned.report);
-      for (auto& other : planned.alternatives)
+      for (auto& other : planned.alternatives) {
+        other.correction.task = task.name;
         outcome.other_ways.push_back(
             {outcome.windows.size() - 1, std::move(other.report), std::move(other.correction)});
+      }
       if (planned.correction) {
         auto laid = lay_over(model.skeleton, *outcome.clip, {*planned.correction});
         if (!laid) return laid.error();
         outcome.clip = std::make_shared<const Clip>(std::move(*laid));
         planned.correction->name = model_of_limb.limb.name + " " + std::to_string(w + 1);
+        planned.correction->task = task.name;
         outcome.corrections.push_back(std::move(*planned.correction));
       }
-      if (stop.stop_requested()) return outcome;
+      if (interrupted()) return outcome;
     }
   }
   scene.set_clip(outcome.clip);
+  if (interrupted()) return outcome;
   if (outcome.corrections.empty()) {
     outcome.after = outcome.before;
     return outcome;
   }
   tell("looking at the result", -1);
-  for (auto& contact : scene.scan(source->begin, source->end, kScanRate, -1, false, stop))
-    if (involves(contact, limbs)) outcome.after.push_back(std::move(contact));
+  look_at_contacts(scene, limbs, outcome.after, nullptr, stop);
+  interrupted();
   return outcome;
 }
 

@@ -78,10 +78,17 @@ struct CorrectionOutcome {
   std::vector<ContactInterval> before;  // the limbs' contacts in the source clip, not allowed ones
   std::vector<ContactInterval> after;   // and in `clip`
   std::vector<ContactInterval> other;   // contacts that involve no limb: they fail nothing
+  bool interrupted = false;             // a stop request came before all was done
 
   bool all_corrected() const;
-  bool cancelled() const;
+  bool cancelled() const;  // interrupted, or a window was
 };
+
+// The contacts of what the scene plays, its whole clip: these limbs' in `own`; those of no limb in
+// `other`, unless that is null. Stopped, some of them. Cost: a scan.
+void look_at_contacts(SceneCollision& scene, const std::vector<int>& limbs,
+                      std::vector<ContactInterval>& own, std::vector<ContactInterval>* other,
+                      const std::stop_token& stop = {});
 
 // Windows for the contacts of one limb: each stretch with a lead-in and lead-out, widened until the
 // limb is free at both ends; stretches that meet become one. A window whose end can't be freed

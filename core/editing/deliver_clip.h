@@ -7,12 +7,18 @@
 
 #include "core/animation/clip.h"
 #include "core/io/gltf_writer.h"
+#include "core/io/run_files.h"
 
 namespace elbowroom {
 
-// Writes `out`: the source file and, if `clip` changes something of it, the clip as one animation
-// more (else a copy). Errors: those of export_corrected; a file that, read back, does not hold the
-// clip bit for bit, which is then removed. May be called on any thread.
+// Stages `out`: the source file and, if `clip` changes something of it, the clip as one animation
+// more (else a copy). It has been read back when this returns, and gets its name with the rest of
+// the run's files. Errors: those of stage_corrected; a file that, read back, does not hold the clip
+// bit for bit. After an error nothing of the run should be committed. May be called on any thread.
+Result<ExportReport> stage_clip(const std::filesystem::path& source, const Clip& clip,
+                                const std::filesystem::path& out, RunFiles& run);
+
+// The same as a run of its own, committed.
 Result<ExportReport> deliver_clip(const std::filesystem::path& source, const Clip& clip,
                                   const std::filesystem::path& out);
 

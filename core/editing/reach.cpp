@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "core/editing/plan_window.h"
+#include "core/scene/placeable.h"
 
 namespace elbowroom {
 namespace {
@@ -24,7 +25,6 @@ constexpr int kChecksAtClearance = 200;
 constexpr int kChecksTouching = 600;
 constexpr int kPostures = 3;                     // planned to, one after the other
 constexpr double kSwivelApart = 20 * kPi / 180;  // of them
-constexpr double kScanRate = 120;                // Hz, of the contacts listed before and after
 
 double as_float32(double t) { return static_cast<double>(static_cast<float>(t)); }
 
@@ -139,6 +139,8 @@ Status check_task(const SceneCollision& scene, int limb, const Task& task, const
   }
   if (!finite)
     return Error{"the target's place or time is not a number", where, "give finite numbers"};
+  if (!is_placeable(p))
+    return Error{"the target is too far away", where, "give a place near the character"};
   const double t = as_float32(target.time);
   if (!(t > as_float32(clip->begin) && t < as_float32(clip->end)))
     return Error{"the target's time is not inside the clip", where,
@@ -431,23 +433,16 @@ Result<CorrectionOutcome> reach(SceneCollision& scene, int limb, const Task& tas
   const std::shared_ptr<const Model> model = actor.model;
   if (Status sound = check_task(scene, limb, task, source.get(), *model); !sound)
     return sound.error();
-  const auto look = [&](std::vector<ContactInterval>& own, std::vector<ContactInterval>* other) {
-    for (auto& contact : scene.scan(source->begin, source->end, kScanRate, -1, false, stop)) {
-      if (contact.deepest.limb == limb)
-        own.push_back(std::move(contact));
-      else if (contact.deepest.limb < 0 && other != nullptr)
-        other->push_back(std::move(contact));
-    }
-  };
 
   CorrectionOutcome outcome;
   outcome.clip = source;
   if (progress) progress({"looking for contacts", -1});
-  look(outcome.before, &outcome.other);
+  look_at_contacts(scene, {limb}, outcome.before, &outcome.other, stop);
   auto planned = plan_reach(scene, limb, task, stop, progress);
   if (!planned) return planned.error();
   WindowPlan& plan = *planned;
   outcome.windows.push_back(plan.report);
+  outcome.interrupted = stop.stop_requested();
   if (plan.correction) {
     auto laid = lay_over(model->skeleton, *source, {*plan.correction});
     if (!laid) return laid.error();
@@ -460,7 +455,8 @@ Result<CorrectionOutcome> reach(SceneCollision& scene, int limb, const Task& tas
     return outcome;
   }
   if (progress) progress({"looking at the result", -1});
-  look(outcome.after, nullptr);
+  look_at_contacts(scene, {limb}, outcome.after, nullptr, stop);
+  outcome.interrupted = stop.stop_requested();
   return outcome;
 }
 

@@ -14,12 +14,19 @@ bool is_usual(const std::string& name) {
   return name.empty() || name == "auto";
 }
 
+bool same_joints(const Limb& a, const Limb& b) {
+  return a.root == b.root && a.middle == b.middle && a.end == b.end;
+}
+
+bool share_joints(const Session& session, const Limb& a, const Limb& b) {
+  const Skeleton& skeleton = session.scene.model().skeleton;
+  return skeleton.is_within(a.root, b.root) || skeleton.is_within(b.root, a.root);
+}
+
 // A contact is of one limb: those found that share joints with this one give way.
 void make_way_for(Session& session, const Limb& limb) {
-  const Skeleton& skeleton = session.scene.model().skeleton;
-  std::erase_if(session.findings.limbs, [&](const Limb& other) {
-    return skeleton.is_within(other.root, limb.root) || skeleton.is_within(limb.root, other.root);
-  });
+  std::erase_if(session.findings.limbs,
+                [&](const Limb& other) { return share_joints(session, other, limb); });
   session.findings.limbs.push_back(limb);
 }
 
@@ -39,20 +46,46 @@ Status read_scene(const Document& document, Session& session) {
   return Done{};
 }
 
-// Puts the limb named by its joints among those found.
-Status give_way_to(Session& session, const std::string& name) {
+// A limb by the name that it was asked for.
+using Asked = std::vector<std::pair<std::string, Limb>>;
+
+// Puts the limb named by its joints among those found. Error: there is none, or it shares joints
+// with one that was asked for before.
+Status ask_for(Session& session, const std::string& name, Asked& asked) {
   auto limb =
       limb_by_name(session.scene.model(), session.character(), name, session.document.limbs);
   if (!limb) return limb.error();
-  make_way_for(session, *limb);
+  for (const auto& [other_name, other] : asked)
+    if (!same_joints(other, *limb) && share_joints(session, other, *limb))
+      return Error{"the limbs " + other_name + " and " + name + " share joints",
+                   session.document.scene.character.string(), "work with one of them at a time"};
+  const bool found = std::any_of(session.findings.limbs.begin(), session.findings.limbs.end(),
+                                 [&](const Limb& other) { return same_joints(other, *limb); });
+  if (!found) make_way_for(session, *limb);
+  asked.emplace_back(name, *limb);
   return Done{};
 }
 
-Status fit(Session& session, const Limb& limb) {
-  auto fitted = fit_limb_model(session.scene.model(), session.character(), limb, session.findings);
-  if (!fitted) return fitted.error();
-  session.limbs.push_back(std::move(*fitted));
-  return Done{};
+// Fits what was found. Error: the first limb that was asked for and can't be fitted; of others a
+// warning tells.
+Status fit_limbs(Session& session, const Asked& asked) {
+  Status result = Done{};
+  for (const Limb& limb : session.findings.limbs) {
+    auto fitted =
+        fit_limb_model(session.scene.model(), session.character(), limb, session.findings);
+    if (fitted) session.limbs.push_back(std::move(*fitted));
+    const auto index = static_cast<int>(session.limbs.size()) - 1;
+    bool was_asked = false;
+    for (const auto& [name, other] : asked) {
+      if (!same_joints(other, limb)) continue;
+      was_asked = true;
+      if (fitted) session.named[name] = index;
+    }
+    if (fitted) continue;
+    session.warnings.push_back(fitted.error().message());
+    if (was_asked && result.ok()) result = fitted.error();
+  }
+  return result;
 }
 
 }  // namespace
@@ -62,18 +95,15 @@ std::string Session::clip_name() const {
   return clip()->name.empty() ? "clip " + std::to_string(scene.clip) : clip()->name;
 }
 
-Result<Session> open_session(const Document& document, const std::string& extra_limb) {
+Result<Session> open_session(const Document& document, const std::vector<std::string>& named) {
   Session session;
   if (Status read = read_scene(document, session); !read) return read.error();
-  if (!is_usual(extra_limb)) {
-    if (Status added = give_way_to(session, extra_limb); !added) return added.error();
+  Asked asked;
+  for (const std::string& name : named) {
+    if (is_usual(name)) continue;
+    if (Status added = ask_for(session, name, asked); !added) return added.error();
   }
-  for (const Limb& limb : session.findings.limbs) {
-    if (Status fitted = fit(session, limb); !fitted) {
-      if (limb.name == extra_limb) return fitted.error();
-      session.warnings.push_back(fitted.error().message());
-    }
-  }
+  if (Status fitted = fit_limbs(session, asked); !fitted) return fitted.error();
   return session;
 }
 
@@ -83,18 +113,20 @@ Result<Session> open_project_session(const Document& document) {
   std::set<std::string> named = {document.draft.limb};
   for (const Task& task : document.tasks) named.insert(task.limb);
   for (const Correction& correction : document.corrections) named.insert(correction.limb);
+  Asked asked;
   for (const std::string& name : named) {
     if (is_usual(name)) continue;
-    if (Status added = give_way_to(session, name); !added)
+    if (Status added = ask_for(session, name, asked); !added)
       session.warnings.push_back(added.error().message());
   }
-  for (const Limb& limb : session.findings.limbs)
-    if (Status fitted = fit(session, limb); !fitted)
-      session.warnings.push_back(fitted.error().message());
+  // One that can't be fitted has been told of by a warning.
+  (void)fit_limbs(session, asked);
   return session;
 }
 
 Result<std::vector<int>> limbs_named(const Session& session, const std::string& limb) {
+  if (const auto asked = session.named.find(limb); asked != session.named.end())
+    return std::vector<int>{asked->second};
   std::vector<int> indices;
   std::string known;
   for (std::size_t i = 0; i < session.limbs.size(); ++i) {

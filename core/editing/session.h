@@ -3,6 +3,7 @@
 // scene's contacts at hand. Used by every command that looks at a scene.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,7 +18,8 @@ struct Session {
   Document document;
   OpenedScene scene;
   LimbFindings findings;
-  std::vector<LimbModel> limbs;  // fitted; in the order of SceneCollision's indices
+  std::vector<LimbModel> limbs;      // fitted; in the order of SceneCollision's indices
+  std::map<std::string, int> named;  // what limbs were asked for as, and their indices in `limbs`
   std::vector<std::string> warnings;
 
   const Character& character() const {
@@ -27,9 +29,9 @@ struct Session {
   std::string clip_name() const;  // as the file has it, "clip 0" where it has no name
 };
 
-// Reads and fits. `extra_limb`: a limb FROM..TO to fit besides the ones found; empty or one of the
-// usual names: none.
-Result<Session> open_session(const Document& document, const std::string& extra_limb = {});
+// Reads and fits. `named`: limbs FROM..TO to fit besides the ones found; empty ones and the usual
+// names ask for nothing. Errors: no such limb; two that share joints.
+Result<Session> open_session(const Document& document, const std::vector<std::string>& named = {});
 
 // The same with every limb that the document's draft, tasks and corrections name by joints. Ones
 // that are not there any more are told of by a warning: what an editor opens should open.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One task of whatever kind, on the clip that the scene plays.
+// Tasks of whatever kind, on the clip that the scene plays.
 #pragma once
 
 #include "core/editing/correct.h"
@@ -13,5 +13,13 @@ namespace elbowroom {
 Result<CorrectionOutcome> solve_task(SceneCollision& scene, const Session& session,
                                      const Task& task, std::stop_token stop = {},
                                      const ProgressSink& progress = {});
+
+// All of them in order, each on the clip that those before it have left. `before` and `other` are
+// of the clip that the scene played at first, `after` of the outcome's, both over all the tasks'
+// limbs. A stop request leaves the rest undone. Errors: those of solve_task, before any is begun
+// where a limb is not there.
+Result<CorrectionOutcome> solve_tasks(SceneCollision& scene, const Session& session,
+                                      const std::vector<Task>& tasks, std::stop_token stop = {},
+                                      const ProgressSink& progress = {});
 
 }  // namespace elbowroom

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "core/editing/limb_keys.h"
 
@@ -26,6 +27,12 @@ double limb_length(const WindowProblem& p) {
     length += glm::length(Vec3(b) - Vec3(a));
   }
   return length > 0 ? length : 0.3 * p.scene->height();
+}
+
+std::string degrees(double radians) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f°", radians * 180 / kPi);
+  return text;
 }
 
 // Limits and speed limits that the clip itself exceeds are widened for this query.
@@ -112,21 +119,46 @@ Status check_wishes(const SceneCollision& scene, const std::vector<int>& limbs,
                      " scene units, a quarter of the character's height"};
 
   for (const auto& [name, interval] : wishes.sampling) {
+    if (!(interval.lower <= interval.upper))
+      return Error{"the sampling interval of \"" + name + "\" is empty or not a number", "",
+                   "give the lower bound first"};
     std::string known;
     bool found = false;
-    for (const int limb : limbs)
-      for (const Dof& dof : scene.limbs()[static_cast<std::size_t>(limb)].space.dofs) {
+    for (const int limb : limbs) {
+      const LimbModel& model = scene.limbs()[static_cast<std::size_t>(limb)];
+      for (const Dof& dof : model.space.dofs) {
         found = found || dof.name == name;
         if (known.find(dof.name) == std::string::npos)
           known += (known.empty() ? "" : "; ") + dof.name;
+        if (dof.name == name && (interval.upper < dof.lower || interval.lower > dof.upper))
+          return Error{"the sampling interval of \"" + name + "\" lies outside the limits of " +
+                           model.limb.name,
+                       "", "they are " + degrees(dof.lower) + " to " + degrees(dof.upper)};
       }
+    }
     if (!found)
       return Error{"there is no DOF \"" + name + "\" to sample", "", "the limb's DOFs: " + known};
-    if (!(interval.lower <= interval.upper))
-      return Error{"the sampling interval of \"" + name + "\" is empty or not a number", "",
-                   "give the lower bound first, in radians"};
   }
   return Done{};
+}
+
+std::vector<std::string> wishes_cut(const SceneCollision& scene, const std::vector<int>& limbs,
+                                    const PlanningWishes& wishes) {
+  constexpr double kRounding = 1e-6;  // rad
+  std::vector<std::string> cut;
+  for (const int limb : limbs) {
+    const LimbModel& model = scene.limbs()[static_cast<std::size_t>(limb)];
+    for (const Dof& dof : model.space.dofs) {
+      const auto wish = wishes.sampling.find(dof.name);
+      if (wish == wishes.sampling.end()) continue;
+      const Interval& interval = wish->second;
+      if (interval.lower >= dof.lower - kRounding && interval.upper <= dof.upper + kRounding)
+        continue;
+      cut.push_back("the sampling interval of \"" + dof.name + "\" is cut to the limits of " +
+                    model.limb.name + ", " + degrees(dof.lower) + " to " + degrees(dof.upper));
+    }
+  }
+  return cut;
 }
 
 }  // namespace elbowroom

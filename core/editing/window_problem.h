@@ -54,9 +54,13 @@ struct WindowProblem {
 WindowProblem window_problem(SceneCollision& scene, const std::shared_ptr<const Clip>& clip,
                              int limb, double begin, double end, const PlanningWishes& wishes);
 
-// Sampling intervals are for DOFs that one of the limbs has, and hold something; a clearance is at
-// most a quarter of the height. Error: the first that isn't so, with what there is.
+// Sampling intervals are for DOFs that one of the limbs has, hold something and reach into the
+// limits; a clearance is at most a quarter of the height. Error: the first that isn't so, with what
+// there is.
 Status check_wishes(const SceneCollision& scene, const std::vector<int>& limbs,
                     const PlanningWishes& wishes);
+// For people: sampling intervals that go beyond the limits and are cut to them.
+std::vector<std::string> wishes_cut(const SceneCollision& scene, const std::vector<int>& limbs,
+                                    const PlanningWishes& wishes);
 
 }  // namespace elbowroom

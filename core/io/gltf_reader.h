@@ -37,6 +37,9 @@ struct ReadOptions {
   std::uint64_t max_bytes = std::uint64_t{2} << 30;  // of the file and all it refers to, together
   // Told the path of each file just before it is opened. May be empty.
   std::function<void(const std::filesystem::path&)> on_open;
+  // Where the bytes of a file stand that has not got its name yet (run_files.h); an empty path: in
+  // the file itself. May be empty.
+  std::function<std::filesystem::path(const std::filesystem::path&)> staged_at;
 };
 
 // Blocking; safe on any thread. The error names the file, the part of it (a node, mesh or animation

@@ -79,7 +79,14 @@ Folder::Folder(const fs::path& file, const ReadOptions& options)
   }
 }
 
-Bytes Folder::read_main() { return read(folder_ / file_.filename(), UINT64_MAX, file_.string()); }
+fs::path Folder::staged(const fs::path& path) const {
+  return options_.staged_at ? options_.staged_at(path) : fs::path();
+}
+
+Bytes Folder::read_main() {
+  const fs::path path = folder_ / file_.filename(), staged_path = staged(path);
+  return read(staged_path.empty() ? path : staged_path, UINT64_MAX, file_.string());
+}
 
 Bytes Folder::read_uri(const std::string& uri, std::uint64_t most, const std::string& where) {
   const std::string shown = quoted(excerpt(uri, 80));
@@ -110,6 +117,8 @@ Bytes Folder::read_uri(const std::string& uri, std::uint64_t most, const std::st
     if (relative.empty() || *relative.begin() == "..") {
       refuse(where, "the URI " + shown + " leads out of the model's folder", remedy);
     }
+    if (const fs::path path = staged(folder_ / relative); !path.empty())
+      return read(path, most, where);
     std::error_code failure;
     const fs::path target = fs::canonical(folder_ / relative, failure);
     if (failure) continue;

@@ -46,6 +46,8 @@ class Folder {
   std::string file_name() const { return file_.filename().string(); }
 
  private:
+  // Where that file's bytes stand meanwhile; empty: in the file itself.
+  std::filesystem::path staged(const std::filesystem::path& path) const;
   Bytes read(const std::filesystem::path& path, std::uint64_t most, const std::string& where);
 
   std::filesystem::path file_, folder_;

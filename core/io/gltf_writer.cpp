@@ -8,7 +8,9 @@
 
 #include "core/io/gltf_append.h"
 #include "core/io/gltf_container.h"
+#include "core/io/gltf_references.h"
 #include "core/io/json_text.h"
+#include "core/io/run_files.h"
 #include "core/io/safe_file.h"
 
 namespace elbowroom {
@@ -33,42 +35,24 @@ std::string lowercase_extension(const fs::path& file) {
   return extension;
 }
 
-// A relative URI of the document and where its text stands.
-struct Reference {
-  std::string uri;
-  jt::Span value;
-};
-
-// Every member called "uri", wherever an extension may have put it, that names a file.
-std::vector<Reference> relative_references(const std::string& text) {
-  std::vector<Reference> found;
-  for (const jt::Member& member : jt::all_members(text)) {
-    if (member.key != "uri" || text[member.value.begin] != '"') continue;
-    const auto value = nlohmann::json::parse(jt::view(text, member.value), nullptr, false);
-    if (!value.is_string()) continue;
-    std::string uri = value.get<std::string>();
-    if (gltf_export::is_relative_uri(uri)) found.push_back({std::move(uri), member.value});
-  }
-  return found;
-}
-
 // Which names beside the output may be written.
 class Names {
  public:
-  Names(const fs::path& folder, const fs::path& out_file) : folder_(folder) {
+  Names(const RunFiles& run, const fs::path& folder, const fs::path& out_file)
+      : run_(run), folder_(folder) {
     // A file that the output's former version names is the output's to write over.
     const auto old = read_whole_file(out_file);
     if (!old) return;
     const auto container = gltf_export::parse_container(*old, out_file);
     if (!container) return;
-    for (const Reference& reference : relative_references(container->json)) {
+    for (const auto& reference : gltf_export::relative_references(container->json)) {
       own_.insert(gltf_export::percent_decoded(reference.uri));
     }
   }
   void take(const std::string& name) { taken_.insert(name); }
   bool is_free(const std::string& name) const {
     std::error_code ignored;
-    return taken_.count(name) == 0 &&
+    return taken_.count(name) == 0 && run_.is_free(folder_ / name) &&
            (own_.count(name) > 0 || !fs::exists(folder_ / name, ignored));
   }
   // NAME.EXT, NAME-2.EXT, ...
@@ -84,6 +68,7 @@ class Names {
   }
 
  private:
+  const RunFiles& run_;
   fs::path folder_;
   std::set<std::string> taken_, own_;
 };
@@ -96,14 +81,15 @@ struct Companion {
 
 // The files that the text's URIs name, for an output in another folder; URIs of those that cannot
 // keep their names are changed in `text`.
-Result<std::vector<Companion>> companions(const fs::path& source_folder, const fs::path& out_folder,
+Result<std::vector<Companion>> companions(const RunFiles& run, const fs::path& source_folder,
+                                          const fs::path& out_folder,
                                           const std::vector<gltf_export::SideFile>& own,
                                           Names& names, std::string& text,
                                           std::vector<std::string>& warnings) {
   std::vector<Companion> found;
   std::map<std::string, std::string> new_uris;  // by old one; empty: it stays
   jt::Patch patch(text);
-  for (const Reference& reference : relative_references(text)) {
+  for (const auto& reference : gltf_export::relative_references(text)) {
     if (std::any_of(own.begin(), own.end(), [&](const gltf_export::SideFile& file) {
           return gltf_export::percent_encoded(file.name) == reference.uri;
         })) {
@@ -126,8 +112,9 @@ Result<std::vector<Companion>> companions(const fs::path& source_folder, const f
         continue;
       }
       std::error_code ignored;
-      bool there = false;
-      if (fs::is_regular_file(out_folder / wish, ignored) &&
+      // Another output of this run may have brought it.
+      bool there = run.is_staged(out_folder / wish, *bytes);
+      if (!there && fs::is_regular_file(out_folder / wish, ignored) &&
           fs::file_size(out_folder / wish, ignored) == bytes->size()) {
         const auto present = read_whole_file(out_folder / wish);
         there = present && *present == *bytes;
@@ -145,25 +132,17 @@ Result<std::vector<Companion>> companions(const fs::path& source_folder, const f
   return found;
 }
 
-Status write_all(const fs::path& out_folder, const std::vector<Companion>& files,
-                 const fs::path& out_file, std::string_view bytes, ExportReport& report) {
-  std::vector<StagedFile> staged;
+Status stage_all(const fs::path& out_folder, const std::vector<Companion>& files,
+                 const fs::path& out_file, std::string_view bytes, RunFiles& run,
+                 ExportReport& report) {
+  // The file that names the others comes last.
   for (const Companion& file : files) {
     const fs::path target = out_folder / file.name;
-    std::error_code failed;
-    fs::create_directories(folder_of(target), failed);
-    if (failed) return Error{"cannot be made: " + failed.message(), folder_of(target).string(), ""};
-    auto one = StagedFile::stage(target, file.bytes);
-    if (!one) return one.error();
-    staged.push_back(std::move(one).value());
+    if (Status staged = run.stage(target, file.bytes, RunFiles::Folders::are_made); !staged)
+      return staged;
     report.side_files.push_back(target);
   }
-  auto main = StagedFile::stage(out_file, bytes);
-  if (!main) return main.error();
-  for (StagedFile& file : staged) {
-    if (auto status = file.commit(); !status) return status;
-  }
-  return main->commit();
+  return run.stage(out_file, bytes);
 }
 
 }  // namespace
@@ -177,8 +156,9 @@ CorrectedClip corrected_clip(const Clip& clip) {
   return corrected;
 }
 
-Status export_corrected(const fs::path& source_file, const fs::path& out_file,
-                        const std::vector<CorrectedClip>& clips, ExportReport* report) {
+Status stage_corrected(const fs::path& source_file, const fs::path& out_file,
+                       const std::vector<CorrectedClip>& clips, RunFiles& run,
+                       ExportReport* report) {
   ExportReport made;
   const auto source = read_whole_file(source_file);
   if (!source) return source.error();
@@ -191,10 +171,10 @@ Status export_corrected(const fs::path& source_file, const fs::path& out_file,
   const bool binary = to_text ? false : (to_binary ? true : container->binary);
 
   const fs::path source_folder = folder_of(source_file), out_folder = folder_of(out_file);
-  Names names(out_folder, out_file);
+  Names names(run, out_folder, out_file);
   names.take(out_file.filename().string());
   names.take(source_file.filename().string());
-  for (const Reference& reference : relative_references(container->json)) {
+  for (const auto& reference : gltf_export::relative_references(container->json)) {
     names.take(gltf_export::percent_decoded(reference.uri));
   }
 
@@ -215,10 +195,10 @@ Status export_corrected(const fs::path& source_file, const fs::path& out_file,
   std::vector<Companion> files;
   if (!same_file(source_folder, out_folder)) {
     // References keep their names where they can, so these names are not taken any more.
-    Names copies(out_folder, out_file);
+    Names copies(run, out_folder, out_file);
     copies.take(out_file.filename().string());
     for (const gltf_export::SideFile& file : draft.side_files) copies.take(file.name);
-    auto found = companions(source_folder, out_folder, draft.side_files, copies,
+    auto found = companions(run, source_folder, out_folder, draft.side_files, copies,
                             draft.container.json, made.warnings);
     if (!found) return found.error();
     files = *std::move(found);
@@ -236,9 +216,18 @@ Status export_corrected(const fs::path& source_file, const fs::path& out_file,
     if (!written) return written.error();
     bytes = *std::move(written);
   }
-  if (auto status = write_all(out_folder, files, out_file, bytes, made); !status) return status;
+  if (auto status = stage_all(out_folder, files, out_file, bytes, run, made); !status)
+    return status;
   if (report) *report = std::move(made);
   return Done{};
+}
+
+Status export_corrected(const fs::path& source_file, const fs::path& out_file,
+                        const std::vector<CorrectedClip>& clips, ExportReport* report) {
+  RunFiles run;
+  if (Status staged = stage_corrected(source_file, out_file, clips, run, report); !staged)
+    return staged;
+  return run.commit();
 }
 
 Status export_corrected(const fs::path& source_file, const fs::path& out_file,

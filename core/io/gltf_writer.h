@@ -41,6 +41,8 @@
 
 namespace elbowroom {
 
+class RunFiles;
+
 // What is appended for one clip.
 struct CorrectedClip {
   int source_animation = -1;     // index in the source file
@@ -70,6 +72,12 @@ struct ExportReport {
 Status export_corrected(const std::filesystem::path& source_file,
                         const std::filesystem::path& out_file,
                         const std::vector<CorrectedClip>& clips, ExportReport* report = nullptr);
+// The same, staged only: nothing has its name until `run` is committed. Buffers and images that go
+// along take no name that the run reads or writes otherwise.
+Status stage_corrected(const std::filesystem::path& source_file,
+                       const std::filesystem::path& out_file,
+                       const std::vector<CorrectedClip>& clips, RunFiles& run,
+                       ExportReport* report = nullptr);
 Status export_corrected(const std::filesystem::path& source_file,
                         const std::filesystem::path& out_file, const CorrectedClip& clip,
                         ExportReport* report = nullptr);

@@ -4,6 +4,8 @@
 #include <map>
 
 #include "core/io/gltf_reader.h"
+#include "core/scene/joint_name.h"
+#include "core/scene/placeable.h"
 
 namespace elbowroom {
 namespace {
@@ -82,9 +84,20 @@ Result<OpenedScene> open_scene(const SceneDescription& description) {
   for (const auto& attached : description.attachments) {
     auto prop = open(attached.file);
     if (!prop) return prop.error();
-    const int joint = model->skeleton.find(attached.joint);
+    const Character& figure = model->characters[static_cast<std::size_t>(scene.character)];
+    const NamedJoint named = joint_of_name(*model, figure, attached.joint);
+    const int joint = named.node;
+    if (!is_placeable(attached.joint_from_object.translation))
+      return Error{"it would be attached too far away", attached.file.string(),
+                   "give a place near the joint, in scene units"};
+    if (named.namesakes > 0)
+      scene.warnings.push_back(description.character.filename().string() + ": " +
+                               std::to_string(named.namesakes + 1) + " joints are named " +
+                               attached.joint + "; " + attached.file.filename().string() +
+                               " follows node " + std::to_string(joint) +
+                               " (name another one by its index in the file's nodes)");
     if (joint < 0) {
-      const auto& joints = model->characters[static_cast<std::size_t>(scene.character)].joints;
+      const auto& joints = figure.joints;
       std::vector<std::string> names;
       for (int j : joints)
         names.push_back(model->skeleton.joints[static_cast<std::size_t>(j)].name);

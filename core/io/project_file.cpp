@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/safe_file.h"
+#include "core/scene/placeable.h"
 
 namespace elbowroom {
 namespace {
@@ -78,7 +79,9 @@ PlanningWishes wishes_of(const Json& object, const std::string& where) {
   PlanningWishes wishes;
   const auto at = [&](const char* key) { return where + "/" + key; };
   if (object.contains("seed")) {
-    if (!object["seed"].is_number_integer()) throw Damage{at("seed"), "this should be an integer"};
+    // A negative one would wrap, and one with a fraction is none.
+    if (!object["seed"].is_number_unsigned())
+      throw Damage{at("seed"), "this should be a whole number from 0 to 18446744073709551615"};
     wishes.seed = object["seed"].get<std::uint64_t>();
   }
   if (object.contains("alternatives"))
@@ -129,6 +132,7 @@ HandTarget target_of(const Json& object, const std::string& where) {
   target.time = number_of(member(object, "time", where), where + "/time");
   const auto p = numbers_of<3>(member(object, "position", where), where + "/position");
   target.position = {p[0], p[1], p[2]};
+  if (!is_placeable(target.position)) throw Damage{where + "/position", "it is too far away"};
   if (object.contains("orientation")) {
     const Quat rotation = quat_of(object["orientation"], where + "/orientation");
     if (glm::length(rotation) < 1e-6) throw Damage{where + "/orientation", "it is zero"};
@@ -234,6 +238,8 @@ Document document_of(const Json& root, const std::filesystem::path& folder) {
       if (item.contains("translation")) {
         const auto v = numbers_of<3>(item["translation"], where + "/translation");
         attached.joint_from_object.translation = {v[0], v[1], v[2]};
+        if (!is_placeable(attached.joint_from_object.translation))
+          throw Damage{where + "/translation", "it is too far away"};
       }
       if (item.contains("rotation")) {
         const Quat rotation = quat_of(item["rotation"], where + "/rotation");
@@ -355,8 +361,8 @@ Result<Document> read_project(const std::filesystem::path& file) {
   }
 }
 
-Status write_project(const std::filesystem::path& file, const Document& document,
-                     const std::filesystem::path& opened_from) {
+Result<std::string> project_text(const std::filesystem::path& file, const Document& document,
+                                 const std::filesystem::path& opened_from) {
   const auto folder = file.parent_path();
   Json root;
   root["version"] = kVersion;
@@ -430,8 +436,14 @@ Status write_project(const std::filesystem::path& file, const Document& document
     }
   }
   // Non-UTF-8 bytes of a name are replaced rather than thrown over.
-  const std::string text = root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-  return write_file_safely(file, text);
+  return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Status write_project(const std::filesystem::path& file, const Document& document,
+                     const std::filesystem::path& opened_from) {
+  const auto text = project_text(file, document, opened_from);
+  if (!text) return text.error();
+  return write_file_safely(file, *text);
 }
 
 }  // namespace elbowroom

@@ -27,6 +27,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "core/base/result.h"
 #include "core/editing/document.h"
@@ -36,6 +37,12 @@ namespace elbowroom {
 // Paths in the document are made absolute or relative to the current folder, ready to be opened.
 // Error: not a project, damaged (with the place), or of a newer version than this program knows.
 Result<Document> read_project(const std::filesystem::path& file);
+
+// The text of the project that stands (or will stand) at `file`: paths relative to it, unknown keys
+// carried over as write_project does. Error: something that is no project stands there, or one of a
+// newer version.
+Result<std::string> project_text(const std::filesystem::path& file, const Document& document,
+                                 const std::filesystem::path& opened_from = {});
 
 // Writes to a temporary name and renames. Unknown keys are carried over from the project that the
 // document was opened from; without one, from a project that stands there already.

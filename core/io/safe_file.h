@@ -20,6 +20,10 @@ namespace elbowroom {
 Result<std::string> read_whole_file(const std::filesystem::path& file,
                                     std::uint64_t max_bytes = std::uint64_t{1} << 32);
 
+// Where what is written under that name comes to stand: absolute, symbolic links followed, those to
+// files that are not there (yet) too.
+std::filesystem::path place_written(const std::filesystem::path& file);
+
 // A file written and synced under a temporary name. Removed again unless committed.
 class StagedFile {
  public:
@@ -33,6 +37,10 @@ class StagedFile {
 
   // Gives the file its name, over an older one if there is one. Once only.
   Status commit();
+
+  // Under which name it can be read until then, and which one it gets.
+  const std::filesystem::path& temporary() const { return temporary_; }
+  const std::filesystem::path& target() const { return target_; }
 
  private:
   StagedFile(std::filesystem::path temporary, std::filesystem::path target);

@@ -85,10 +85,65 @@ TEST(Usage, WrongUsageIsOne) {
            {"correct", "--character", kMannequin, "-o", "x.glb", "--window", "2:1"},
            {"correct", "--character", kMannequin, "-o", "x.glb", "--alternatives", "0"},
            {"check", "--character", kMannequin, "--attach", "prop.glb"},
-           {"render", "--character", kMannequin, "--times", "a", "-o", "x.png"}})
+           {"render", "--character", kMannequin, "--times", "a", "-o", "x.png"},
+           {"correct", "p.elbow", "--character", kMannequin, "-o", "x.glb"},
+           {"check", "p.elbow", "--obstacles", kMannequin}})
     EXPECT_EQ(run(arguments).exit_code, 1) << (arguments.empty() ? "" : arguments[0]);
   EXPECT_EQ(run({"--help"}).exit_code, 0);
   EXPECT_EQ(run({"correct", "--help"}).exit_code, 0);
+}
+
+// What is wrong is named with its option, and what to do about it.
+TEST(Usage, NamesTheOption) {
+  const auto correct = [](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"correct", "--character", kMannequin, "--clip", "Walk"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  };
+  struct Case {
+    std::vector<std::string> arguments;
+    std::vector<std::string> says;
+  };
+  const std::string wide = "--sample", flexion = "Elbow, flexion=";
+  for (const Case& c : std::vector<Case>{
+           {correct({"-o", "/nowhere/x.glb", "--seed", "-1"}), {"--seed", "-1"}},
+           {correct({"-o", "/nowhere/x.glb", "--seed", "99999999999999999999999"}), {"--seed"}},
+           {correct({"-o", "/nowhere/x.glb", "--clearance", "nan"}), {"--clearance", "nan"}},
+           {correct({"-o", "/nowhere/x.glb", "--clearance", "-1"}), {"--clearance", "-1"}},
+           {correct({"-o", ""}), {"-o", "name a file"}},
+           {{"info", ""}, {"FILE", "name a file"}},
+           {{"solve", "", "-o", "x.glb"}, {"PROJECT", "name a file"}},
+           {{"render", "--character", kMannequin, "--times", "0", "-o", ""}, {"-o", "name a file"}},
+           {correct({"-o", "x.glb", wide, flexion + "20:50", wide, flexion + "60:70"}),
+            {"--sample", "Elbow, flexion", "once"}},
+           {correct({"-o", "x.glb", "--limb", "left_arm", wide, flexion + "500:600"}),
+            {"Elbow, flexion", "limits", "°"}},
+           {correct({"-o", "x.glb", "--limb", "left_arm", wide, "Knee, flexion=20:50"}),
+            {"Knee, flexion", "Elbow, flexion"}},
+           {correct({"-o", "x.glb", "--attach", kMannequin + "@RightHand,1e300,0,0"}),
+            {"--attach", "too far"}},
+           {{"reach", "--character", kMannequin, "--limb", "left_arm", "--target", "1e200,0,0",
+             "--at", "0.5", "-o", "x.glb"},
+            {"--target", "too far"}},
+           {{"reach", "--character", kMannequin, "--limb", "left_arm", "--target", "0,1,0", "--at",
+             "nan", "-o", "x.glb"},
+            {"--at", "nan"}}}) {
+    // From a folder where nothing may come to be.
+    const auto result = run(c.arguments);
+    EXPECT_EQ(result.exit_code, 1) << result.err;
+    for (const auto& text : c.says)
+      EXPECT_NE(result.err.find(text), std::string::npos) << result.err;
+  }
+  EXPECT_FALSE(std::filesystem::exists("x.glb"));
+}
+
+TEST(Usage, SamplingBeyondTheLimitsIsCutAndSaysSo) {
+  const Folder folder;
+  const auto result =
+      run({"correct", "--character", kMannequin, "--clip", "Walk", "--limb", "left_arm", "--sample",
+           "Elbow, flexion=20:500", "-o", folder / "x.glb"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.err.find("cut to the limits"), std::string::npos) << result.err;
 }
 
 TEST(BadInput, IsTwoAndNamesFileAndReason) {
@@ -116,7 +171,14 @@ TEST(BadInput, IsTwoAndNamesFileAndReason) {
     const auto result = run(arguments);
     EXPECT_EQ(result.exit_code, 2) << c.says << result.err;
     EXPECT_NE(result.err.find(c.says), std::string::npos) << result.err;
-    EXPECT_EQ(read_json(report)["status"], "bad_input");
+    const auto written = read_json(report);
+    EXPECT_EQ(written["status"], "bad_input");
+    EXPECT_FALSE(written["error"]["what"].get<std::string>().empty());
+    // A script finds every member that other reports have.
+    EXPECT_TRUE(written.contains("clip") && written["clip"].is_null());
+    for (const char* list : {"corrections", "collisions_before", "collisions_after",
+                             "other_contacts", "allowed_contacts", "limits_widened"})
+      EXPECT_TRUE(written.contains(list) && written[list].is_array()) << list;
     EXPECT_FALSE(std::filesystem::exists(out));
   }
 }
@@ -204,6 +266,27 @@ TEST(Correct, SameSeedGivesTheSameBytesAndAProjectSolvesToThem) {
       run({"solve", folder / "a.glb.elbow", "-o", folder / "d.glb", "--report", folder / "d.json"});
   EXPECT_EQ(solved.exit_code, 0) << solved.out << solved.err;
   EXPECT_EQ(bytes_of(folder / "a.glb"), bytes_of(folder / "d.glb"));
+  // A correction is its task's: muted, the task is passed over.
+  auto project = read_json(folder / "a.glb.elbow");
+  ASSERT_EQ(project["tasks"].size(), 1u);
+  ASSERT_FALSE(project["corrections"].empty());
+  for (auto& correction : project["corrections"]) {
+    EXPECT_EQ(correction["task"], project["tasks"][0]["name"]);
+    correction["muted"] = true;
+  }
+  std::ofstream(folder / "muted.elbow") << project.dump();
+  EXPECT_EQ(run({"solve", folder / "muted.elbow", "-o", folder / "m.glb"}).exit_code, 0);
+  EXPECT_EQ(bytes_of(folder / "m.glb"), bytes_of(folder / demo::kMannequinFile));
+
+  // On a project a task is done on top of its corrections: here there is nothing left to do.
+  const auto more = run({"correct", folder / "a.glb.elbow", "-o", folder / "e.glb", "--report",
+                         folder / "e.json", "--save-project", folder / "e.elbow"});
+  EXPECT_EQ(more.exit_code, 0) << more.out << more.err;
+  EXPECT_EQ(read_json(folder / "e.json")["status"], "nothing_to_correct");
+  EXPECT_TRUE(read_json(folder / "e.json")["collisions_before"].empty());
+  EXPECT_EQ(bytes_of(folder / "e.glb"), bytes_of(folder / "a.glb"));
+  EXPECT_EQ(read_json(folder / "e.elbow")["corrections"],
+            read_json(folder / "a.glb.elbow")["corrections"]);
   const auto checked = run({"check", folder / "a.glb.elbow"});
   EXPECT_EQ(checked.exit_code, 4) << checked.out << checked.err;
 }

@@ -22,13 +22,14 @@ namespace elbowroom::test {
 // An empty folder that is removed at the end.
 class Folder {
  public:
-  Folder() {
+  // `part` tells several of one test apart.
+  explicit Folder(const std::string& part = {}) {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
     std::string name = std::string(test->test_suite_name()) + "_" + test->name();
     for (char& c : name)
       if (c == '/') c = '_';
     path_ = std::filesystem::temp_directory_path() /
-            ("elbowroom_" + name + "_" + std::to_string(getpid()));
+            ("elbowroom_" + name + "_" + std::to_string(getpid()) + part);
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }

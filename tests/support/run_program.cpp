@@ -26,7 +26,7 @@ std::string take(std::FILE* file) {
 }  // namespace
 
 ProgramRun run_program(const std::string& program, const std::vector<std::string>& arguments,
-                       int interrupt_after_ms) {
+                       int interrupt_after_ms, int signals, int apart_ms) {
   std::FILE* out = std::tmpfile();
   std::FILE* err = std::tmpfile();
   const pid_t child = fork();
@@ -42,7 +42,10 @@ ProgramRun run_program(const std::string& program, const std::vector<std::string
   }
   if (interrupt_after_ms > 0) {
     std::this_thread::sleep_for(std::chrono::milliseconds(interrupt_after_ms));
-    kill(child, SIGINT);
+    for (int i = 0; i < signals; ++i) {
+      if (i > 0) std::this_thread::sleep_for(std::chrono::milliseconds(apart_ms));
+      kill(child, SIGINT);  // not reaped yet, so the id is still its own
+    }
   }
   int status = 0;
   waitpid(child, &status, 0);

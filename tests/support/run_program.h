@@ -13,8 +13,8 @@ struct ProgramRun {
 };
 
 // No shell: arguments are passed as they are. `interrupt_after_ms` > 0 sends SIGINT after that
-// time.
+// time, `signals` of them `apart_ms` from each other.
 ProgramRun run_program(const std::string& program, const std::vector<std::string>& arguments,
-                       int interrupt_after_ms = 0);
+                       int interrupt_after_ms = 0, int signals = 1, int apart_ms = 0);
 
 }  // namespace elbowroom::test

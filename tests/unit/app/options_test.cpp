@@ -57,11 +57,48 @@ TEST(Times, AListOfSeconds) {
 
 TEST(SceneOptions, AProjectAndACharacterExcludeEachOther) {
   SceneOptions options;
-  EXPECT_FALSE(document_from(options).ok());
+  EXPECT_FALSE(check_scene_options(options).ok());
   options.character = "a.glb";
+  EXPECT_TRUE(check_scene_options(options).ok());
   EXPECT_TRUE(document_from(options).ok());
+  options.obstacles = {""};
+  EXPECT_FALSE(check_scene_options(options).ok());
+  options.obstacles.clear();
+  options.attachments = {"o.glb"};
+  EXPECT_FALSE(check_scene_options(options).ok());
+  options.attachments.clear();
   options.project = "p.elbow";
-  EXPECT_FALSE(document_from(options).ok());
+  EXPECT_FALSE(check_scene_options(options).ok());
+}
+
+TEST(Numbers, AreFiniteAndTheErrorNamesTheOption) {
+  EXPECT_EQ(*parse_number("-0.5", "--at"), -0.5);
+  EXPECT_EQ(*parse_length("0", "--clearance"), 0);
+  for (const char* text : {"", "nan", "inf", "1e999", "0x10", "1 ", "one"}) {
+    ASSERT_FALSE(parse_number(text, "--at").ok()) << text;
+    EXPECT_EQ(parse_number(text, "--at").error().where, "--at");
+    EXPECT_FALSE(parse_length(text, "--clearance").ok()) << text;
+  }
+  EXPECT_FALSE(parse_length("-1e-9", "--clearance").ok());
+}
+
+TEST(Seed, IsAWholeNumberOf64Bits) {
+  EXPECT_EQ(*parse_seed("0"), 0u);
+  EXPECT_EQ(*parse_seed("18446744073709551615"), 18446744073709551615ull);
+  for (const char* text :
+       {"", "-1", "+1", "1.5", "1e3", "18446744073709551616", "99999999999999999999999", "x"}) {
+    ASSERT_FALSE(parse_seed(text).ok()) << text;
+    EXPECT_EQ(parse_seed(text).error().where, "--seed");
+  }
+}
+
+TEST(Places, AreOnesThatAFloatCanHoldTheSquareOf) {
+  EXPECT_TRUE(parse_target("1e17,0,-1e17").ok());
+  EXPECT_TRUE(parse_attachment("o.glb@Hand,0,1e17,0").ok());
+  for (const char* text : {"1e200,0,0", "0,-1e19,0", "0,0,1e39"}) {
+    EXPECT_FALSE(parse_target(text).ok()) << text;
+    EXPECT_FALSE(parse_attachment(std::string("o.glb@Hand,") + text).ok()) << text;
+  }
 }
 
 }  // namespace

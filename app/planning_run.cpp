@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "app/planning_run.h"
+
+#include "app/delivery.h"
+#include "app/exit_codes.h"
+#include "app/terminal.h"
+#include "core/editing/solve_task.h"
+#include "core/editing/unique_names.h"
+#include "core/editing/window_problem.h"
+#include "core/io/project_file.h"
+
+namespace elbowroom {
+namespace {
+
+// The document with the tasks and what came of them.
+Document with_outcome(const PlanningRun& run, const CorrectionOutcome& outcome) {
+  Document document = run.document;
+  document.tasks.insert(document.tasks.end(), run.tasks.begin(), run.tasks.end());
+  for (Correction correction : outcome.corrections) {
+    correction.name = unique_correction_name(document, correction.name);
+    document.corrections.push_back(std::move(correction));
+  }
+  return document;
+}
+
+// Everything that is known to be wrong with the outputs before any work.
+Status check_outputs(const PlanningRun& run, const RunFiles& files) {
+  if (Status places = files.check_places(); !places) return places;
+  if (run.outputs.save_project.empty()) return Done{};
+  const auto text = project_text(run.outputs.save_project, run.document, run.project);
+  if (!text) return text.error();
+  return Done{};
+}
+
+// Error: the first wish that can't be.
+Status check_tasks(const Session& session, const SceneCollision& scene,
+                   const std::vector<Task>& tasks) {
+  for (const Task& task : tasks) {
+    const auto limbs = limbs_named(session, task.limb);
+    if (!limbs) return limbs.error();
+    if (Status sound = check_wishes(scene, *limbs, task.wishes); !sound) return sound;
+    print_warnings(wishes_cut(scene, *limbs, task.wishes));
+  }
+  return Done{};
+}
+
+}  // namespace
+
+int run_planning(const PlanningRun& run, Interruption& interruption) {
+  const auto refused = [&](const Error& error) {
+    return refuse(error, run.outputs.report, interruption);
+  };
+  RunFiles files;
+  files.reads(run.project, "the project");
+  files.reads(run.document.scene);
+  declare_outputs(run.outputs, run.document.scene.character, run.project, files);
+  if (Status distinct = files.check_distinct(); !distinct) {
+    print_error(distinct.error());
+    return kExitUsage;
+  }
+  if (Status outputs = check_outputs(run, files); !outputs) return refused(outputs.error());
+
+  std::vector<std::string> limbs;
+  for (const Task& task : run.tasks) limbs.push_back(task.limb);
+  auto session = open_session(run.document, limbs);
+  if (!session) return refused(session.error());
+  print_warnings(session->warnings);
+  for (const std::string& limb : limbs)
+    if (const auto found = limbs_named(*session, limb); !found) return refused(found.error());
+  const ProgressSink progress = terminal_progress();
+  if (progress) progress({"looking at the scene", -1});
+  auto scene = contacts_of(*session, interruption.token());
+  if (!scene) return refused(scene.error());
+  if (Status sound = check_tasks(*session, *scene, run.tasks); !sound) {
+    if (!run.typed) return refused(sound.error());
+    print_error(sound.error());
+    return kExitUsage;
+  }
+
+  std::shared_ptr<const Clip> start = session->clip();
+  if (run.over_corrections && !run.document.corrections.empty()) {
+    auto laid = lay_over(session->scene.model().skeleton, *start, run.document.corrections);
+    if (!laid) return refused(laid.error());
+    start = std::make_shared<const Clip>(std::move(*laid));
+    scene->set_clip(start);
+  }
+  const auto outcome = solve_tasks(*scene, *session, run.tasks, interruption.token(), progress);
+  if (!outcome) return refused(outcome.error());
+  const Document document = with_outcome(run, *outcome);
+  return deliver({*session, *scene, *outcome, start, run.outputs, document, run.project}, files,
+                 interruption);
+}
+
+}  // namespace elbowroom
