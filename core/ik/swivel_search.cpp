@@ -15,7 +15,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr int kVariants = 4;       // of what a target leaves open, over its limits
 constexpr int kVariantCoarse = 4;  // their grid of swivels is coarser by this
-constexpr std::size_t kDescents = 8;
+constexpr std::size_t kDescents = 24;
 constexpr int kDescentSteps = 120;
 constexpr int kRefineSteps = 40;      // of bisection and of golden sections
 constexpr double kFlat = 1e-7;        // a bend's limit is exceeded alike at every swivel
@@ -326,7 +326,7 @@ class Search {
     return kNotANumber;
   }
 
-  // The lowest badness of one round.
+  // A lowest badness of one round.
   struct Lowest {
     double excess = kInfinity, swivel = 0;
     int sense = 0;
@@ -372,17 +372,17 @@ class Search {
         excess[static_cast<std::size_t>(sense)][static_cast<std::size_t>(i)] =
             badness_at(at(i), near, sense);
     }
-    Lowest lowest;
-    lowest.near = near;
-    for (int i = 0; i < n; ++i)
-      for (int sense = 0; sense < 2; ++sense) {
-        const double value = excess[static_cast<std::size_t>(sense)][static_cast<std::size_t>(i)];
-        if (!(value < lowest.excess)) continue;
-        lowest.excess = value;
-        lowest.swivel = at(i);
-        lowest.sense = sense;
+    // Where each sense is off least, and less than on both sides: one basin may lead to where
+    // limits are kept and a lower one not.
+    for (int sense = 0; sense < 2; ++sense) {
+      const auto& values = excess[static_cast<std::size_t>(sense)];
+      for (int i = 0; i < n; ++i) {
+        const double value = values[static_cast<std::size_t>(i)];
+        if (std::isfinite(value) && value < values[static_cast<std::size_t>((i + n - 1) % n)] &&
+            value <= values[static_cast<std::size_t>((i + 1) % n)])
+          lowest_.push_back({value, at(i), sense, near});
       }
-    if (std::isfinite(lowest.excess)) lowest_.push_back(lowest);
+    }
     for (auto& values : excess)
       for (double& value : values)
         if (value >= kBeyondReach) value = kInfinity;
