@@ -70,13 +70,11 @@ bool set_pair(Pair& pair, const BoxTree& a, const BoxTree& b, const RigidTransfo
   // Translations far larger than the meshes carry rounding of their own.
   const double coarse =
       glm::length(a_from_b.translation) + glm::length(a.origin) + glm::length(b.origin);
-  const Mat3 gram = glm::transpose(a_from_b.rotation) * a_from_b.rotation;
-  double defect = 0;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      defect = std::max(defect, std::abs(gram[i][j] - (i == j ? 1.0 : 0.0)));
-    }
-  }
+  const Vec3 &x = a_from_b.rotation[0], &y = a_from_b.rotation[1], &z = a_from_b.rotation[2];
+  double defect = std::max(
+      {std::abs(glm::dot(x, x) - 1), std::abs(glm::dot(y, y) - 1), std::abs(glm::dot(z, z) - 1)});
+  defect = std::max(
+      {defect, std::abs(glm::dot(x, y)), std::abs(glm::dot(y, z)), std::abs(glm::dot(z, x))});
   if (length > (reach + distance) * (1 + 1e-9) + 1e-14 * coarse + 4 * defect * (reach + coarse)) {
     return false;
   }
@@ -287,17 +285,20 @@ HWY_INLINE Axis axis_in(const Frame& frame, int side, const Vec3& axis) {
   return out;
 }
 
-bool VisitClose(const Pair& pair, double distance, PairVisitor visitor, void* context) {
+bool VisitClose(const Pair& pair, double distance, PairVisitor visitor, void* context,
+                bool& boxes_apart) {
   const float margin = widened(distance, pair.slack);
   Entry stack[kStack];
   int count = 1;
   root_entry(pair, stack[0]);
+  boxes_apart = true;  // until some box of the root is near
   while (count > 0) {
     const Entry entry = stack[--count];
     const Frame& frame = pair.frame[entry.side];
     const BoxTree::Node& node = frame.tree->nodes[static_cast<std::size_t>(entry.open)];
     alignas(64) float gaps[BoxTree::kWidth];
     std::uint32_t bits = overlaps<false>(node, frame, entry.box, margin, 0.0f, nullptr, gaps);
+    boxes_apart = boxes_apart && bits == 0;
     std::uint32_t many[BoxTree::kWidth];
     int leaves = 0, deepest = count;
     float deepest_gap = std::numeric_limits<float>::infinity();
@@ -397,10 +398,13 @@ bool is_finite(const RigidTransform& t) {
 }
 
 bool visit_close_pairs(const BoxTree& a, const BoxTree& b, const RigidTransform& a_from_b,
-                       double distance, PairVisitor visitor, void* context) {
+                       double distance, PairVisitor visitor, void* context, bool* boxes_apart) {
+  bool apart = true;
   Pair pair;
-  if (a.empty() || b.empty() || !set_pair(pair, a, b, a_from_b, distance)) return false;
-  return HWY_DYNAMIC_DISPATCH(VisitClose)(pair, distance, visitor, context);
+  const bool stopped = !a.empty() && !b.empty() && set_pair(pair, a, b, a_from_b, distance) &&
+                       HWY_DYNAMIC_DISPATCH(VisitClose)(pair, distance, visitor, context, apart);
+  if (boxes_apart) *boxes_apart = apart;
+  return stopped;
 }
 
 bool visit_closest_pairs(const BoxTree& a, const BoxTree& b, const RigidTransform& a_from_b,

@@ -23,9 +23,12 @@ using PairVisitor = bool (*)(void* context, std::uint32_t one, const std::uint32
                              bool one_is_a);
 
 // Visits all pairs of triangles whose boxes are not surely farther apart than `distance`, deepest
-// first. True if the visitor stopped it.
+// first. True if the visitor stopped it. `boxes_apart`, if given, is set if the box of one tree was
+// seen to be farther than `distance` from all boxes of the other's root: then nothing of one can be
+// inside of the other.
 bool visit_close_pairs(const BoxTree& a, const BoxTree& b, const RigidTransform& a_from_b,
-                       double distance, PairVisitor visitor, void* context);
+                       double distance, PairVisitor visitor, void* context,
+                       bool* boxes_apart = nullptr);
 
 // The closest pair of triangles so far, kept by the visitor below.
 struct ClosestSoFar {

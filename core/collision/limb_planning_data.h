@@ -61,7 +61,8 @@ struct LimbPlanningSpace::Data {
   struct Segment {
     std::vector<int> chain_of;  // by part: the chain node that moves it, or kWorld
     std::vector<RigidTransform> chain_from_part;  // where chain_of is a node
-    std::vector<int> moving;  // parts of the limb's side, the farthest from the root first
+    std::vector<int> moving;   // parts of the limb's side, the farthest from the root first
+    std::vector<Vec3> centre;  // of their spheres, in their chain nodes' frames
     // Pair numbers by moving part, in the order they are tried: with parts of the world, by their
     // number in `still`, or -1; and with other moving parts.
     std::vector<std::vector<int>> pair_with;
@@ -88,8 +89,18 @@ struct LimbPlanningSpace::Data {
   };
   std::map<std::pair<int, int>, OwnPatches> own_patches;  // by bodies, as the pair has them
 
-  // What a moving part can meet while the world goes from one row of the tracks to the next.
-  std::vector<std::vector<std::uint32_t>> reachable;  // by row: places in Segment::still
+  // What a moving part can meet while the world goes from one row of the tracks to the next, and
+  // spheres about it, which a moving part's meet several at once: in float, relative to `origin`,
+  // from one row to the next in a straight line, and wide enough for what that leaves out. Their
+  // number is a multiple of kSpheres; those beyond `still` are out of everything's way.
+  static constexpr std::size_t kSpheres = 8;
+  struct Reach {
+    std::vector<std::uint32_t> still;  // places in Segment::still
+    Vec3 origin{0.0};
+    std::vector<float> x, y, z, dx, dy, dz, radius;
+    float largest = 0;  // coordinate
+  };
+  std::vector<Reach> reachable;  // by row
   std::vector<std::uint8_t> reach_known;
 
   struct MetricPoint {
@@ -113,6 +124,8 @@ struct LimbPlanningSpace::Data {
   std::vector<Link> links;             // scratch, by chain node
   std::vector<RigidTransform> placed;  // scratch, by part
   std::vector<std::uint8_t> is_placed;
+  std::vector<float> sphere_x, sphere_y, sphere_z;  // scratch, of a cell's Reach
+  std::vector<std::int32_t> sphere_near;
 
   Data(const SceneCollision& of, int index, double begin, double end, const LimbState& init,
        const LimbState& goal, const Settings& given)
@@ -136,6 +149,9 @@ struct LimbPlanningSpace::Data {
   RigidTransform world_part(const FrameTracks::Cell& cell, int part);
   const RigidTransform& place(const FrameTracks::Cell& cell, const Segment& segment, int part);
   void find_reachable(const FrameTracks::Cell& cell);
+  // No moving part is nearer than it may be to anything that stands in the cell, by the order of
+  // the pairs; the chain must be placed.
+  bool clear_of_still(const FrameTracks::Cell& cell, const Segment& segment);
   // A pair is tested while its first part is on the limb's side, and its second as it was paired.
   bool in_segment(int pair, const Segment& segment) const {
     return segments.size() == 1 ||

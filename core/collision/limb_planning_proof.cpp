@@ -39,7 +39,7 @@ std::optional<bool> LimbPlanningSpace::Data::piece_free(const Configuration& fro
     cell.row = row;
     cell.segment = first.segment;
     if (!reach_known[row]) find_reachable(cell);
-    for (const std::uint32_t s : reachable[row]) {
+    for (const std::uint32_t s : reachable[row].still) {
       if (reached[s] == reach_look_up) continue;
       reached[s] = reach_look_up;
       seen.push_back(s);

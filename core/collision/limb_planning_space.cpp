@@ -87,68 +87,6 @@ const RigidTransform& LimbPlanningSpace::Data::place(const FrameTracks::Cell& ce
   return placed[p];
 }
 
-// Which parts of the world the limb's side can meet in a cell, whatever its DOFs.
-void LimbPlanningSpace::Data::find_reachable(const FrameTracks::Cell& cell) {
-  reach_known[cell.row] = 1;
-  const Segment& segment = segments[static_cast<std::size_t>(cell.segment)];
-  double reach = 0, largest = 0;
-  Vec3 root[2];
-  for (int end = 0; end < 2; ++end) {
-    const std::uint32_t row = cell.row + static_cast<std::uint32_t>(end);
-    const Mat4& parent = tracks->parent(row);
-    root[end] = Vec3(parent * glm::dvec4(tracks->local(row, 0).translation, 1.0));
-    // No node is farther from the root than the bones on the way are long.
-    std::vector<double> stretch(chain.nodes.size()), from_root(chain.nodes.size(), 0.0);
-    const auto longest = [](const Mat3& m) {
-      return std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
-    };
-    // Column lengths bound a rotation with scale; the Frobenius norm bounds anything.
-    const auto bound = [&](const Mat3& m) {
-      const double x = glm::dot(m[0], m[0]), y = glm::dot(m[1], m[1]), z = glm::dot(m[2], m[2]);
-      const double tiny = 1e-9 * (x + y + z);
-      const bool plain = std::abs(x - y) <= tiny && std::abs(x - z) <= tiny;
-      return plain ? std::sqrt(x) * (1 + 1e-6) : longest(m);
-    };
-    for (std::size_t n = 0; n < chain.nodes.size(); ++n) {
-      const Transform& local = tracks->local(row, n);
-      const int up = chain.nodes[n].parent;
-      const double above = up < 0 ? bound(Mat3(parent)) : stretch[static_cast<std::size_t>(up)];
-      const double size =
-          std::max({std::abs(local.scale.x), std::abs(local.scale.y), std::abs(local.scale.z)});
-      stretch[n] = above * size;
-      if (up >= 0)
-        from_root[n] =
-            from_root[static_cast<std::size_t>(up)] + above * glm::length(local.translation);
-    }
-    for (const int p : segment.moving) {
-      const PlanningPart& piece = pieces[static_cast<std::size_t>(p)];
-      const int node = segment.chain_of[static_cast<std::size_t>(p)];
-      const Vec3 centre = segment.chain_from_part[static_cast<std::size_t>(p)] * piece.centre;
-      reach = std::max(
-          reach, from_root[static_cast<std::size_t>(node)] + glm::length(centre) + piece.radius);
-    }
-  }
-  for (const PairState& state : pair_states) largest = std::max(largest, state.distance);
-  const Vec3 middle = 0.5 * (root[0] + root[1]);
-  const double drift = 0.5 * glm::distance(root[0], root[1]);
-  auto& list = reachable[cell.row];
-  list.clear();
-  for (std::size_t s = 0; s < segment.still.size(); ++s) {
-    const auto p = static_cast<std::size_t>(segment.still[s]);
-    const Vec3 at = pieces[p].node_from_part * pieces[p].centre;
-    Vec3 ends[2];
-    for (int end = 0; end < 2; ++end) {
-      const Frame& f = tracks->frame(cell.row + static_cast<std::uint32_t>(end), track_of[p]);
-      ends[end] = f.place + f.rotation * at;
-    }
-    // Turning between two rows leaves the chord by at most its length.
-    const double moves = glm::distance(ends[0], ends[1]);
-    if (glm::distance(0.5 * (ends[0] + ends[1]), middle) <=
-        reach + drift + pieces[p].radius + moves + largest)
-      list.push_back(static_cast<std::uint32_t>(s));
-  }
-}
-
 bool LimbPlanningSpace::Data::bounds_near(int number, const FrameTracks::Cell& cell,
                                           const Segment& segment, double more) {
   const auto k = static_cast<std::size_t>(number);
@@ -268,10 +206,7 @@ bool LimbPlanningSpace::valid(const Configuration& c) {
   d.place_chain(cell, c, false);
   for (const int pair : d.recent)
     if (pair >= 0 && d.in_segment(pair, segment) && d.touches(pair, cell, segment)) return false;
-  const auto& reachable = d.reachable[cell.row];
-  for (const auto& with : segment.pair_with)
-    for (const std::uint32_t s : reachable)
-      if (with[s] >= 0 && d.touches(with[s], cell, segment)) return false;
+  if (!d.clear_of_still(cell, segment)) return false;
   for (const int pair : segment.inner_pairs)
     if (d.touches(pair, cell, segment)) return false;
   return true;

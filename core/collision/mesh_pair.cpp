@@ -159,10 +159,14 @@ struct Containment {
   Vec3 place;                  // a vertex of the inner one, in the outer mesh's frame
 };
 
-bool inside_box(const Vec3& p, const glm::vec3& low, const glm::vec3& high) {
+// Axis by axis: most are outside on the first.
+bool inside_box(const RigidTransform& t, const glm::vec3& point, const glm::vec3& low,
+                const glm::vec3& high) {
+  const Vec3 v(point);
   for (int k = 0; k < 3; ++k) {
-    if (!(p[k] >= static_cast<double>(low[k]) && p[k] <= static_cast<double>(high[k])))
-      return false;
+    const double p =
+        t.rotation[0][k] * v.x + t.rotation[1][k] * v.y + t.rotation[2][k] * v.z + t.translation[k];
+    if (!(p >= static_cast<double>(low[k]) && p <= static_cast<double>(high[k]))) return false;
   }
   return true;
 }
@@ -178,7 +182,7 @@ void find_containments(const Data& inner, const Data& outer, const RigidTransfor
   const glm::vec3 *low = nullptr, *high = nullptr;
   const auto held = [&](const ComponentPlace& place) {
     return std::all_of(std::begin(place.extreme), std::end(place.extreme), [&](std::uint32_t v) {
-      return inside_box(outer_from_inner * Vec3(inner.positions[v]), *low, *high);
+      return inside_box(outer_from_inner, inner.positions[v], *low, *high);
     });
   };
   for (std::uint32_t c = 0; c < inner.places.size(); ++c) {
@@ -250,10 +254,12 @@ bool in_contact(const CollisionMesh& a, const CollisionMesh& b, const RigidTrans
     if (visit_search(&again, cache->triangle_a, &cache->triangle_b, 1, true)) return true;
   }
   Search search(query, cache);
-  if (visit_close_pairs(query.a.tree, query.b.tree, a_from_b, query.distance, visit_search,
-                        &search)) {
+  bool boxes_apart = false;
+  if (visit_close_pairs(query.a.tree, query.b.tree, a_from_b, query.distance, visit_search, &search,
+                        &boxes_apart)) {
     return true;
   }
+  if (boxes_apart) return false;
   // No contact was found, so only allowed pairs can cross.
   return for_containments(query, filter.allowed != nullptr,
                           [](std::uint32_t, std::uint32_t, bool, const Vec3&) { return true; });
