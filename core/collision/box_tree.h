@@ -57,6 +57,9 @@ struct BoxTree {
   double radius() const { return 0.5 * glm::length(upper - lower); }
 };
 
+// False if no box of the root is nearer to `centre` (the mesh's frame) than `radius`.
+bool sphere_near_root(const BoxTree& tree, const Vec3& centre, double radius);
+
 // O(n log n); deterministic.
 BoxTree build_box_tree(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles);
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/collision/limb_planning_data.h"
+#include "core/collision/mesh_data.h"
 #include "core/collision/rigid_links.h"
 
 namespace elbowroom {
@@ -96,7 +97,8 @@ bool LimbPlanningSpace::Data::bounds_near(int number, const FrameTracks::Cell& c
   const RigidTransform& world_from_b = place(cell, segment, pair.b);
   const PlanningPart &a = pieces[static_cast<std::size_t>(pair.a)],
                      &b = pieces[static_cast<std::size_t>(pair.b)];
-  const Vec3 apart = world_from_a * a.centre - world_from_b * b.centre;
+  const Vec3 centre_a = world_from_a * a.centre, centre_b = world_from_b * b.centre;
+  const Vec3 apart = centre_a - centre_b;
   const double sum = a.radius + b.radius + distance;
   if (glm::dot(apart, apart) > sum * sum) return false;
   // Long thin parts fill little of their spheres: each one's box against the other's sphere.
@@ -108,8 +110,17 @@ bool LimbPlanningSpace::Data::bounds_near(int number, const FrameTracks::Cell& c
     }
     return out2 > reach * reach;
   };
-  return !beyond_box(world_from_a.rotation, a.half, b.radius + distance) &&
-         !beyond_box(world_from_b.rotation, b.half, a.radius + distance);
+  if (beyond_box(world_from_a.rotation, a.half, b.radius + distance) ||
+      beyond_box(world_from_b.rotation, b.half, a.radius + distance))
+    return false;
+  // Large bulky things (an umbrella) fill little of their boxes.
+  const auto near_boxes = [&](const CollisionMesh& mesh, const RigidTransform& placed,
+                              const Vec3& centre, double reach) {
+    return sphere_near_root(mesh.data().tree, (centre - placed.translation) * placed.rotation,
+                            reach);
+  };
+  return near_boxes(*a.mesh, world_from_a, centre_b, b.radius + distance) &&
+         near_boxes(*b.mesh, world_from_b, centre_a, a.radius + distance);
 }
 
 bool LimbPlanningSpace::Data::near(int number, const FrameTracks::Cell& cell,
