@@ -2,11 +2,13 @@
 // A wide tree of axis-aligned boxes over the triangles of one mesh: 16 boxes a node, in float,
 // stored as centres and half extents so that 16 of them meet one box of another tree at once. Each
 // box has a slab besides, across the normal its triangles share most: a slanted patch of skin fills
-// its box poorly and its slab well, and a triangle's slab is its plane.
+// its box poorly and its slab well, and a triangle's slab is its plane. Where that says much more
+// than the box, a second slab lies across the first and along the part: a slanted rod fills its box
+// and one slab poorly, and two slabs well.
 //
 // Coordinates are relative to `origin` (the middle of the mesh), so that meshes far from the origin
 // lose nothing; boxes are rounded outwards, so a box always holds its triangles. Boxes are in the
-// mesh's own frame and its units. Memory: about 70 bytes a triangle.
+// mesh's own frame and its units. Memory: about 90 bytes a triangle.
 #pragma once
 
 #include <array>
@@ -35,10 +37,14 @@ struct BoxTree {
     Ref child[kWidth];      // the used ones come first
     float size[kWidth];     // largest half extent: the larger of two boxes is opened first
     // |normal · x − middle| ≤ thickness for all x in the slab; a unit normal, or 0 for no slab.
-    float normal[3][kWidth];
-    float middle[kWidth];
-    float thickness[kWidth];
+    struct Slabs {
+      float normal[3][kWidth];
+      float middle[kWidth];
+      float thickness[kWidth];
+    };
+    Slabs slab[2];
     std::int32_t count = 0;
+    std::int32_t slabs = 2;  // 1 if no child has a second one
   };
 
   Vec3 origin{0.0};
