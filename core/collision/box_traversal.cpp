@@ -42,7 +42,7 @@ struct Entry {
   BoxTree::Ref open;     // node of tree `side` whose children are tested
   BoxTree::Ref against;  // node or triangle of the other tree
   Box box;               // of `against`, in its own frame
-  float size;            // largest half extent of `box`
+  float shrinks;         // of `box`
   float bound;           // lower bound of the distance; visit_closest_pairs only
   int side;
 };
@@ -279,9 +279,7 @@ HWY_INLINE void find_long_axis(Box& box) {
 
 HWY_INLINE void root_entry(const Pair& pair, Entry& entry) {
   const BoxTree &a = *pair.frame[0].tree, &b = *pair.frame[1].tree;
-  const float size_a = std::max({a.root_half[0], a.root_half[1], a.root_half[2]});
-  const float size_b = std::max({b.root_half[0], b.root_half[1], b.root_half[2]});
-  entry.side = size_a >= size_b ? 0 : 1;
+  entry.side = a.root_shrinks >= b.root_shrinks ? 0 : 1;
   const BoxTree& other = entry.side == 0 ? b : a;
   entry.open = 0;
   entry.against = 0;
@@ -293,7 +291,7 @@ HWY_INLINE void root_entry(const Pair& pair, Entry& entry) {
   entry.box.slab[0].middle = entry.box.slab[0].thickness = 0;
   entry.box.slabs = 1;
   find_long_axis(entry.box);
-  entry.size = entry.side == 0 ? size_b : size_a;
+  entry.shrinks = other.root_shrinks;
   entry.bound = 0;
 }
 
@@ -314,19 +312,19 @@ HWY_INLINE void child_box(const BoxTree::Node& node, int i, Box& box) {
 // The next test for child i of `node` against what `from` holds.
 HWY_INLINE void descend(const BoxTree::Node& node, int i, const Entry& from, Entry& to) {
   const BoxTree::Ref child = node.child[i];
-  // Open the larger of the two; a triangle cannot be opened.
+  // Open the one that shrinks more; a triangle cannot be opened.
   if (BoxTree::is_triangle(from.against) ||
-      (!BoxTree::is_triangle(child) && node.size[i] >= from.size)) {
+      (!BoxTree::is_triangle(child) && node.shrinks[i] >= from.shrinks)) {
     to.open = child;
     to.against = from.against;
     to.box = from.box;
-    to.size = from.size;
+    to.shrinks = from.shrinks;
     to.side = from.side;
   } else {
     to.open = from.against;
     to.against = child;
     child_box(node, i, to.box);
-    to.size = node.size[i];
+    to.shrinks = node.shrinks[i];
     to.side = 1 - from.side;
   }
 }

@@ -63,7 +63,30 @@ void set_center_half(const glm::vec3& low, const glm::vec3& high, float* center,
 
 void set_slot(BoxTree::Node& node, int slot, const glm::vec3& low, const glm::vec3& high) {
   set_center_half(low, high, &node.center[0][slot], &node.half[0][slot], BoxTree::kWidth);
-  node.size[slot] = std::max({node.half[0][slot], node.half[1][slot], node.half[2][slot]});
+}
+
+float girth(const BoxTree::Node& node, int slot) {
+  return node.half[0][slot] + node.half[1][slot] + node.half[2][slot];
+}
+
+// Of a box of that girth and the node inside, whose boxes are set.
+float shrinks(float whole, const BoxTree::Node& inside) {
+  float sum = 0;
+  for (int i = 0; i < inside.count; ++i) sum += girth(inside, i);
+  return whole - sum / static_cast<float>(inside.count);
+}
+
+void set_shrinks(BoxTree& tree, BoxTree::Node& node, int slot) {
+  const BoxTree::Ref ref = node.child[slot];
+  node.shrinks[slot] = BoxTree::is_triangle(ref)
+                           ? 0.0f
+                           : shrinks(girth(node, slot), tree.nodes[static_cast<std::size_t>(ref)]);
+}
+
+void set_root(BoxTree& tree) {
+  set_center_half(tree.low[0], tree.high[0], tree.root_center, tree.root_half, 1);
+  tree.root_shrinks =
+      shrinks(tree.root_half[0] + tree.root_half[1] + tree.root_half[2], tree.nodes.front());
 }
 
 void place_origin(BoxTree& tree, std::span<const glm::vec3> positions,
@@ -359,7 +382,7 @@ void fit(BoxTree& tree, std::span<const glm::vec3> positions,
           node.center[k][i] = 0;
           node.half[k][i] = -1e30f;
         }
-        node.size[i] = 0;
+        node.shrinks[i] = 0;
         for (BoxTree::Node::Slabs& slabs : node.slab) no_slab(slabs, i);
         continue;
       }
@@ -389,6 +412,7 @@ void fit(BoxTree& tree, std::span<const glm::vec3> positions,
                  triangles);
         set_second_slab(node, i, tree, some, positions, triangles);
       }
+      set_shrinks(tree, node, i);
       all.add(b);
       for (std::size_t k = 0; k < 6; ++k) all_normals[k] += normals[k];
     }
@@ -396,7 +420,7 @@ void fit(BoxTree& tree, std::span<const glm::vec3> positions,
     tree.high[n] = all.high;
     tree.normals[n] = all_normals;
   }
-  set_center_half(tree.low[0], tree.high[0], tree.root_center, tree.root_half, 1);
+  set_root(tree);
 }
 
 }  // namespace
@@ -463,12 +487,13 @@ void refit_box_tree(BoxTree& tree, std::span<const glm::vec3> positions,
       }
       for (BoxTree::Node::Slabs& slabs : node.slab) no_slab(slabs, i);
       set_slot(node, i, b.low, b.high);
+      set_shrinks(tree, node, i);
       all.add(b);
     }
     tree.low[n] = all.low;
     tree.high[n] = all.high;
   }
-  set_center_half(tree.low[0], tree.high[0], tree.root_center, tree.root_half, 1);
+  set_root(tree);
 }
 
 }  // namespace elbowroom

@@ -35,7 +35,10 @@ struct BoxTree {
     float center[3][kWidth];
     float half[3][kWidth];  // −1e30 in unused slots: apart from everything
     Ref child[kWidth];      // the used ones come first
-    float size[kWidth];     // largest half extent: the larger of two boxes is opened first
+    // What opening a box takes off it: the sum of its half extents less its children's mean one. Of
+    // two boxes the one with more is opened first: a post of full-length triangles opens to no
+    // avail.
+    float shrinks[kWidth];
     // |normal · x − middle| ≤ thickness for all x in the slab; a unit normal, or 0 for no slab.
     struct Slabs {
       float normal[3][kWidth];
@@ -52,6 +55,7 @@ struct BoxTree {
   std::vector<Node> nodes;      // root first, children after their parents; empty without triangles
   float root_center[3] = {0, 0, 0};
   float root_half[3] = {0, 0, 0};
+  float root_shrinks = 0;
   // Kept for refit. Of each node: its box, and the sum of n·nᵀ/|n| over its triangles' normals n,
   // as xx, yy, zz, xy, yz, zx.
   std::vector<glm::vec3> low, high;
