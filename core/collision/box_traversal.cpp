@@ -347,19 +347,22 @@ HWY_INLINE Axis axis_in(const Frame& frame, int side, const Vec3& axis) {
 }
 
 bool VisitClose(const Pair& pair, double distance, PairVisitor visitor, void* context,
-                bool& boxes_apart) {
+                Apart& apart) {
   const float margin = widened(distance, pair.slack);
   Entry stack[kStack];
   int count = 1;
   root_entry(pair, stack[0]);
-  boxes_apart = true;  // until some box of the root is near
+  // That the box of one is apart from all boxes of the other's root keeps these outside of it, but
+  // not the one out of what these surround.
+  bool root = true;
   while (count > 0) {
     const Entry entry = stack[--count];
     const Frame& frame = pair.frame[entry.side];
     const BoxTree::Node& node = frame.tree->nodes[static_cast<std::size_t>(entry.open)];
     alignas(64) float gaps[BoxTree::kWidth];
     std::uint32_t bits = overlaps<false>(node, frame, entry.box, margin, 0.0f, nullptr, gaps);
-    boxes_apart = boxes_apart && bits == 0;
+    if (root && bits == 0) (entry.side == 0 ? apart.a_outside_b : apart.b_outside_a) = true;
+    root = false;
     std::uint32_t many[BoxTree::kWidth];
     int leaves = 0, deepest = count;
     float deepest_gap = std::numeric_limits<float>::infinity();
@@ -459,12 +462,15 @@ bool is_finite(const RigidTransform& t) {
 }
 
 bool visit_close_pairs(const BoxTree& a, const BoxTree& b, const RigidTransform& a_from_b,
-                       double distance, PairVisitor visitor, void* context, bool* boxes_apart) {
-  bool apart = true;
+                       double distance, PairVisitor visitor, void* context, Apart* apart) {
+  Apart seen{true, true};
   Pair pair;
-  const bool stopped = !a.empty() && !b.empty() && set_pair(pair, a, b, a_from_b, distance) &&
-                       HWY_DYNAMIC_DISPATCH(VisitClose)(pair, distance, visitor, context, apart);
-  if (boxes_apart) *boxes_apart = apart;
+  bool stopped = false;
+  if (!a.empty() && !b.empty() && set_pair(pair, a, b, a_from_b, distance)) {
+    seen = {};
+    stopped = HWY_DYNAMIC_DISPATCH(VisitClose)(pair, distance, visitor, context, seen);
+  }
+  if (apart) *apart = seen;
   return stopped;
 }
 

@@ -2,6 +2,8 @@
 #include "core/collision/mesh_pair.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 
 #include "core/collision/box_traversal.h"
 #include "core/collision/containment.h"
@@ -213,12 +215,15 @@ void find_containments(const Data& inner, const Data& outer, const RigidTransfor
 // Calls `found(component of a, component of b, a's is the inner one, place in a's frame)` for each
 // containment that no crossing and no filter takes back, until it returns true.
 template <typename Found>
-bool for_containments(const Query& q, bool surfaces_may_cross, const Found& found) {
+bool for_containments(const Query& q, const Apart& apart, bool surfaces_may_cross,
+                      const Found& found) {
   if (!q.a.can_enclose && !q.b.can_enclose) return false;
   std::vector<Containment> containments;
   for (const bool a_is_inner : {true, false}) {
+    if (a_is_inner ? apart.a_outside_b : apart.b_outside_a) continue;
     const Data& inner = a_is_inner ? q.a : q.b;
     const Data& outer = a_is_inner ? q.b : q.a;
+    if (!outer.can_enclose) continue;
     const RigidTransform to_outer = a_is_inner ? inverse(q.a_from_b) : q.a_from_b;
     find_containments(inner, outer, to_outer, containments);
     for (const Containment& c : containments) {
@@ -254,15 +259,38 @@ bool in_contact(const CollisionMesh& a, const CollisionMesh& b, const RigidTrans
     if (visit_search(&again, cache->triangle_a, &cache->triangle_b, 1, true)) return true;
   }
   Search search(query, cache);
-  bool boxes_apart = false;
+  Apart apart;
   if (visit_close_pairs(query.a.tree, query.b.tree, a_from_b, query.distance, visit_search, &search,
-                        &boxes_apart)) {
+                        &apart)) {
     return true;
   }
-  if (boxes_apart) return false;
   // No contact was found, so only allowed pairs can cross.
-  return for_containments(query, filter.allowed != nullptr,
+  return for_containments(query, apart, filter.allowed != nullptr,
                           [](std::uint32_t, std::uint32_t, bool, const Vec3&) { return true; });
+}
+
+bool may_enclose(const CollisionMesh& outer_mesh, const RigidTransform& world_from_outer,
+                 const CollisionMesh& inner_mesh, const RigidTransform& world_from_inner) {
+  const Data &outer = outer_mesh.data(), &inner = inner_mesh.data();
+  if (!outer.can_enclose) return false;
+  const auto inside = [](const Vec3& p, const glm::vec3& low, const glm::vec3& high) {
+    for (int k = 0; k < 3; ++k) {
+      const double l = static_cast<double>(low[k]), h = static_cast<double>(high[k]);
+      const double more = 1e-9 * (std::abs(l) + std::abs(h));
+      if (p[k] < l - more || p[k] > h + more) return false;
+    }
+    return true;
+  };
+  for (const ComponentPlace& place : inner.places) {
+    const Vec3 at = world_from_inner * Vec3(inner.positions[place.extreme[0]]);
+    const Vec3 p = (at - world_from_outer.translation) * world_from_outer.rotation;
+    if (!inside(p, outer.low, outer.high)) continue;
+    for (std::size_t o = 0; o < outer.places.size(); ++o)
+      if (outer.topology.components[o].encloses &&
+          inside(p, outer.places[o].low, outer.places[o].high))
+        return true;
+  }
+  return false;
 }
 
 bool reach_each_other(const CollisionMesh& a, const CollisionMesh& b,
@@ -294,7 +322,7 @@ void find_contacts(const CollisionMesh& a, const CollisionMesh& b, const RigidTr
     return x.triangle_a != y.triangle_a ? x.triangle_a < y.triangle_a : x.triangle_b < y.triangle_b;
   });
   for_containments(
-      query, true, [&](std::uint32_t ca, std::uint32_t cb, bool a_is_inner, const Vec3& place) {
+      query, {}, true, [&](std::uint32_t ca, std::uint32_t cb, bool a_is_inner, const Vec3& place) {
         const Data& inner = a_is_inner ? query.a : query.b;
         const Data& outer = a_is_inner ? query.b : query.a;
         const std::uint32_t component = a_is_inner ? ca : cb;
