@@ -365,13 +365,17 @@ bool VisitClose(const Pair& pair, double distance, PairVisitor visitor, void* co
     root = false;
     std::uint32_t many[BoxTree::kWidth];
     int leaves = 0, deepest = count;
-    float deepest_gap = std::numeric_limits<float>::infinity();
+    float deepest_gap = std::numeric_limits<float>::infinity(), deepest_leaf = deepest_gap;
     const bool against_triangle = BoxTree::is_triangle(entry.against);
     while (bits != 0) {
       const int i = __builtin_ctz(bits);
       bits &= bits - 1;
       if (against_triangle && BoxTree::is_triangle(node.child[i])) {
         many[leaves++] = BoxTree::triangle_of(node.child[i]);
+        if (gaps[i] < deepest_leaf) {
+          deepest_leaf = gaps[i];
+          std::swap(many[0], many[leaves - 1]);
+        }
       } else {
         if (gaps[i] < deepest_gap) {
           deepest_gap = gaps[i];
@@ -380,7 +384,7 @@ bool VisitClose(const Pair& pair, double distance, PairVisitor visitor, void* co
         descend(node, i, entry, stack[count++]);
       }
     }
-    // The deepest pair goes on top: surfaces that cross are found soonest there.
+    // The deepest pair goes on top, and first: surfaces that cross are found soonest there.
     if (deepest + 1 < count) std::swap(stack[deepest], stack[count - 1]);
     if (leaves > 0 &&
         visitor(context, BoxTree::triangle_of(entry.against), many, leaves, entry.side == 1)) {

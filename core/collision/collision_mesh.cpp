@@ -124,6 +124,24 @@ void CollisionMesh::Data::place() {
   rays_fresh_.store(false, std::memory_order_release);
 }
 
+bool CollisionMesh::Data::sphere_may_meet(const Vec3& centre, double radius) const {
+  if (sphere_near_root(tree, centre, radius)) return true;
+  if (!can_enclose) return false;
+  const auto near_box = [&](const glm::vec3& box_low, const glm::vec3& box_high) {
+    double out2 = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double out = std::max(static_cast<double>(box_low[k]) - centre[k],
+                                  centre[k] - static_cast<double>(box_high[k]));
+      if (out > 0) out2 += out * out;
+    }
+    return !(out2 > radius * radius * (1 + 1e-9));
+  };
+  if (!near_box(low, high)) return false;
+  for (std::size_t c = 0; c < places.size(); ++c)
+    if (topology.components[c].encloses && near_box(places[c].low, places[c].high)) return true;
+  return false;
+}
+
 void CollisionMesh::Data::make_rays_fresh() const {
   if (rays_are_fresh()) return;
   const std::lock_guard lock(rays_mutex_);

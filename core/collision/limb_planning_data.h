@@ -121,9 +121,12 @@ struct LimbPlanningSpace::Data {
   std::vector<std::uint32_t> reached;  // by place in Segment::still: the look-up that saw it last
   std::uint32_t reach_look_up = 0;
 
+  Configuration chain_at;  // what the links were placed for, if they were
+  bool chain_placed = false;
   std::vector<Link> links;             // scratch, by chain node
   std::vector<RigidTransform> placed;  // scratch, by part
   std::vector<std::uint8_t> is_placed;
+  std::vector<Vec3> moving_centre;                  // scratch, by part: of its sphere, world
   std::vector<float> sphere_x, sphere_y, sphere_z;  // scratch, of a cell's Reach
   std::vector<std::int32_t> sphere_near;
 
@@ -149,9 +152,10 @@ struct LimbPlanningSpace::Data {
   RigidTransform world_part(const FrameTracks::Cell& cell, int part);
   const RigidTransform& place(const FrameTracks::Cell& cell, const Segment& segment, int part);
   void find_reachable(const FrameTracks::Cell& cell);
-  // No moving part is nearer than it may be to anything that stands in the cell, by the order of
-  // the pairs; the chain must be placed.
+  // No moving part is nearer than it may be to anything that does not move with the limb, and to
+  // another one (after the first of the two); the chain must be placed.
   bool clear_of_still(const FrameTracks::Cell& cell, const Segment& segment);
+  bool clear_of_itself(const FrameTracks::Cell& cell, const Segment& segment);
   // A pair is tested while its first part is on the limb's side, and its second as it was paired.
   bool in_segment(int pair, const Segment& segment) const {
     return segments.size() == 1 ||

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "core/collision/limb_planning_data.h"
+#include "core/collision/mesh_data.h"
 
 namespace elbowroom {
 
@@ -96,6 +97,11 @@ bool LimbPlanningSpace::Data::clear_of_still(const FrameTracks::Cell& cell,
   sphere_y.resize(count);
   sphere_z.resize(count);
   sphere_near.resize(count);
+  for (std::size_t i = 0; i < segment.moving.size(); ++i) {
+    const auto p = static_cast<std::size_t>(segment.moving[i]);
+    moving_centre[p] =
+        links[static_cast<std::size_t>(segment.chain_of[p])].frame * segment.centre[i];
+  }
   const auto u = static_cast<float>(cell.u);
   for (std::size_t s = 0; s < count; ++s) {
     sphere_x[s] = near_by.x[s] + u * near_by.dx[s];
@@ -104,12 +110,13 @@ bool LimbPlanningSpace::Data::clear_of_still(const FrameTracks::Cell& cell,
   }
   for (std::size_t i = 0; i < segment.moving.size(); ++i) {
     const auto p = static_cast<std::size_t>(segment.moving[i]);
-    const auto node = static_cast<std::size_t>(segment.chain_of[p]);
-    const glm::vec3 c(links[node].frame * segment.centre[i] - near_by.origin);
+    const PlanningPart& piece = pieces[p];
+    const glm::vec3 c(moving_centre[p] - near_by.origin);
     // Coordinates and their differences round a dozen times by 2^-24 of their size; squares of
     // distances and their comparison by a few more of theirs.
     const float size = near_by.largest + std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)});
-    const float own = static_cast<float>(pieces[p].radius) * (1 + 2e-6f) + 4e-6f * size;
+    const float slack = 4e-6f * size;
+    const float own = static_cast<float>(piece.radius) * (1 + 2e-6f) + slack;
     for (std::size_t s = 0; s < count; ++s) {
       const float x = sphere_x[s] - c.x, y = sphere_y[s] - c.y, z = sphere_z[s] - c.z;
       const float sum = near_by.radius[s] * (1 + 2e-6f) + own;
@@ -117,11 +124,37 @@ bool LimbPlanningSpace::Data::clear_of_still(const FrameTracks::Cell& cell,
       sphere_near[s] = !(x * x + y * y + z * z > sum * sum);
     }
     const auto& with = segment.pair_with[i];
-    for (std::size_t s = 0; s < near_by.still.size(); ++s)
-      if (sphere_near[s]) {
-        const int pair = with[near_by.still[s]];
-        if (pair >= 0 && touches(pair, cell, segment)) return false;
+    for (std::size_t s = 0; s < near_by.still.size(); ++s) {
+      if (!sphere_near[s]) continue;
+      const int pair = with[near_by.still[s]];
+      if (pair < 0) continue;
+      // The part's box, and what fills it: large bulky things (an umbrella) fill little of theirs.
+      const RigidTransform& placed_part = place(cell, segment, segment.moving[i]);
+      const Vec3 apart =
+          Vec3(sphere_x[s], sphere_y[s], sphere_z[s]) - (placed_part.translation - near_by.origin);
+      const Vec3 centre = apart * placed_part.rotation;
+      const double radius = static_cast<double>(near_by.radius[s] * (1 + 2e-6f) + slack);
+      double out2 = 0;
+      for (int k = 0; k < 3; ++k) {
+        const double out = std::abs(centre[k] - piece.centre[k]) - piece.half[k];
+        if (out > 0) out2 += out * out;
       }
+      if (out2 > radius * radius || !piece.mesh->data().sphere_may_meet(centre, radius)) continue;
+      if (touches(pair, cell, segment)) return false;
+    }
+  }
+  return true;
+}
+
+bool LimbPlanningSpace::Data::clear_of_itself(const FrameTracks::Cell& cell,
+                                              const Segment& segment) {
+  for (const int number : segment.inner_pairs) {
+    const auto k = static_cast<std::size_t>(number);
+    const auto a = static_cast<std::size_t>(pairs[k].a), b = static_cast<std::size_t>(pairs[k].b);
+    const Vec3 apart = moving_centre[a] - moving_centre[b];
+    const double sum = pieces[a].radius + pieces[b].radius + pair_states[k].distance;
+    if (glm::dot(apart, apart) > sum * sum) continue;
+    if (touches(number, cell, segment)) return false;
   }
   return true;
 }

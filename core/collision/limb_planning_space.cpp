@@ -28,6 +28,11 @@ LimbState LimbPlanningSpace::Data::state_at(const Configuration& c) const {
 // Places the chain's nodes; with `clip_pose` as the clip has them.
 void LimbPlanningSpace::Data::place_chain(const FrameTracks::Cell& cell, const Configuration& c,
                                           bool clip_pose) {
+  if (!clip_pose && chain_placed && chain_at.t == c.t && chain_at.q.count == c.q.count &&
+      std::equal(c.q.value.begin(), c.q.value.begin() + c.q.count, chain_at.q.value.begin()))
+    return;
+  chain_placed = !clip_pose;
+  chain_at = c;
   const LimbState state = state_at(c);
   const Mat4 &p0 = tracks->parent(cell.row), &p1 = tracks->parent(cell.row + 1);
   // A rotation between two close ones, entry by entry, is short of a rotation by the square of
@@ -195,6 +200,7 @@ LimbPlanningSpace::LimbPlanningSpace(const SceneCollision& scene, int limb, doub
   d.tracks =
       std::make_unique<FrameTracks>(d.world, std::move(nodes), std::move(locals), t_init, t_goal);
   d.placed.resize(d.pieces.size());
+  d.moving_centre.resize(d.pieces.size());
   d.is_placed.assign(d.pieces.size(), 0);
   d.reachable.resize(d.tracks->row_count());
   d.reach_known.assign(d.tracks->row_count(), 0);
@@ -220,10 +226,7 @@ bool LimbPlanningSpace::valid(const Configuration& c) {
   d.place_chain(cell, c, false);
   for (const int pair : d.recent)
     if (pair >= 0 && d.in_segment(pair, segment) && d.touches(pair, cell, segment)) return false;
-  if (!d.clear_of_still(cell, segment)) return false;
-  for (const int pair : segment.inner_pairs)
-    if (d.touches(pair, cell, segment)) return false;
-  return true;
+  return d.clear_of_still(cell, segment) && d.clear_of_itself(cell, segment);
 }
 
 void LimbPlanningSpace::metric_points(const Configuration& c, std::vector<Vec3>& points) {

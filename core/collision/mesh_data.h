@@ -49,6 +49,10 @@ struct CollisionMesh::Data {
     return {Vec3(positions[cap.a]), Vec3(positions[cap.b]), Vec3(loop_middles[cap.loop])};
   }
 
+  // False if nothing in a sphere (the mesh's frame) can touch the surface, by the boxes of the
+  // tree's root, nor be inside, by those of enclosing components.
+  bool sphere_may_meet(const Vec3& centre, double radius) const;
+
   // Everything that depends on positions but not on topology.
   void place();
 
