@@ -425,30 +425,6 @@ void fit(BoxTree& tree, std::span<const glm::vec3> positions,
 
 }  // namespace
 
-bool sphere_near_root(const BoxTree& tree, const Vec3& centre, double radius) {
-  if (tree.empty()) return false;
-  const BoxTree::Node& node = tree.nodes.front();
-  const glm::vec3 c(centre - tree.origin);
-  // Differences round by 2^-24 of the coordinates, a few times; what is no number is near.
-  const float size = std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}) +
-                     std::max({tree.root_half[0], tree.root_half[1], tree.root_half[2]});
-  const float reach = static_cast<float>(radius) * (1 + 2e-6f) + 4e-6f * size;
-  const float reach2 = reach * reach;
-  std::int32_t far[BoxTree::kWidth];
-  for (int i = 0; i < BoxTree::kWidth; ++i) {
-    float out2 = 0;
-    for (int k = 0; k < 3; ++k) {
-      const float out = std::abs(node.center[k][i] - c[k]) - node.half[k][i];
-      const float outside = out > 0 ? out : 0;
-      out2 += outside * outside;
-    }
-    far[i] = out2 > reach2;
-  }
-  int near = 0;
-  for (int i = 0; i < BoxTree::kWidth; ++i) near += 1 - far[i];
-  return near > 0;
-}
-
 BoxTree build_box_tree(std::span<const glm::vec3> positions,
                        std::span<const glm::uvec3> triangles) {
   BoxTree tree;

@@ -18,11 +18,12 @@
 #include <vector>
 
 #include "core/base/math.h"
+#include "core/collision/box_pack.h"
 
 namespace elbowroom {
 
 struct BoxTree {
-  static constexpr int kWidth = 16;
+  static constexpr int kWidth = BoxPack::kWidth;
   // No path from the root is longer, so traversals of two trees get by with a fixed stack.
   static constexpr int kMaxDepth = 28;
 
@@ -31,10 +32,8 @@ struct BoxTree {
   static constexpr bool is_triangle(Ref ref) { return ref < 0; }
   static constexpr std::uint32_t triangle_of(Ref ref) { return static_cast<std::uint32_t>(~ref); }
 
-  struct alignas(64) Node {
-    float center[3][kWidth];
-    float half[3][kWidth];  // −1e30 in unused slots: apart from everything
-    Ref child[kWidth];      // the used ones come first
+  struct Node : BoxPack {
+    Ref child[kWidth];  // the used ones come first
     // What opening a box takes off it: the sum of its half extents less its children's mean one. Of
     // two boxes the one with more is opened first: a post of full-length triangles opens to no
     // avail.
@@ -68,7 +67,9 @@ struct BoxTree {
 };
 
 // False if no box of the root is nearer to `centre` (the mesh's frame) than `radius`.
-bool sphere_near_root(const BoxTree& tree, const Vec3& centre, double radius);
+inline bool sphere_near_root(const BoxTree& tree, const Vec3& centre, double radius) {
+  return !tree.empty() && sphere_near_boxes(&tree.nodes.front(), 1, centre - tree.origin, radius);
+}
 
 // O(n log n); deterministic.
 BoxTree build_box_tree(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles);

@@ -118,6 +118,10 @@ void CollisionMesh::Data::place() {
     low = glm::min(low, place.low);
     high = glm::max(high, place.high);
   }
+  std::vector<std::pair<glm::vec3, glm::vec3>> boxes;
+  for (std::size_t c = 0; c < places.size(); ++c)
+    if (topology.components[c].encloses) boxes.emplace_back(places[c].low, places[c].high);
+  enclosing = pack_boxes(boxes, tree.origin);
   for (std::size_t l = 0; l < loop_middles.size(); ++l) {
     loop_middles[l] = glm::vec3(loop_middle(topology.loops[l], positions));
   }
@@ -126,20 +130,7 @@ void CollisionMesh::Data::place() {
 
 bool CollisionMesh::Data::sphere_may_meet(const Vec3& centre, double radius) const {
   if (sphere_near_root(tree, centre, radius)) return true;
-  if (!can_enclose) return false;
-  const auto near_box = [&](const glm::vec3& box_low, const glm::vec3& box_high) {
-    double out2 = 0;
-    for (int k = 0; k < 3; ++k) {
-      const double out = std::max(static_cast<double>(box_low[k]) - centre[k],
-                                  centre[k] - static_cast<double>(box_high[k]));
-      if (out > 0) out2 += out * out;
-    }
-    return !(out2 > radius * radius * (1 + 1e-9));
-  };
-  if (!near_box(low, high)) return false;
-  for (std::size_t c = 0; c < places.size(); ++c)
-    if (topology.components[c].encloses && near_box(places[c].low, places[c].high)) return true;
-  return false;
+  return sphere_near_boxes(enclosing.data(), enclosing.size(), centre - tree.origin, radius);
 }
 
 void CollisionMesh::Data::make_rays_fresh() const {

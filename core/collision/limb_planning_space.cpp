@@ -119,16 +119,13 @@ bool LimbPlanningSpace::Data::bounds_near(int number, const FrameTracks::Cell& c
       beyond_box(world_from_b.rotation, b.half, a.radius + distance))
     return false;
   // Large bulky things (an umbrella) fill little of their boxes.
-  const auto clear_of_boxes = [&](const PlanningPart& part, const RigidTransform& placed,
-                                  const PlanningPart& other, const RigidTransform& other_placed,
-                                  const Vec3& centre) {
-    return !sphere_near_root(part.mesh->data().tree,
-                             (centre - placed.translation) * placed.rotation,
-                             other.radius + distance) &&
-           !may_enclose(*part.mesh, placed, *other.mesh, other_placed);
+  const auto may_meet = [&](const PlanningPart& part, const RigidTransform& placed,
+                            const Vec3& centre, double reach) {
+    return part.mesh->data().sphere_may_meet((centre - placed.translation) * placed.rotation,
+                                             reach);
   };
-  return !clear_of_boxes(a, world_from_a, b, world_from_b, centre_b) &&
-         !clear_of_boxes(b, world_from_b, a, world_from_a, centre_a);
+  return may_meet(a, world_from_a, centre_b, b.radius + distance) &&
+         may_meet(b, world_from_b, centre_a, a.radius + distance);
 }
 
 bool LimbPlanningSpace::Data::near(int number, const FrameTracks::Cell& cell,

@@ -30,6 +30,7 @@ struct CollisionMesh::Data {
   std::vector<ComponentPlace> places;   // one a component
   std::vector<glm::vec3> loop_middles;  // one a loop
   bool can_enclose = false;             // some component encloses
+  std::vector<BoxPack> enclosing;       // boxes of components that do, relative to tree.origin
   bool was_refit = false;               // it may be again: ray scenes are short-lived
   glm::vec3 low{0.0f}, high{0.0f};      // box of all components, in the mesh's frame
 

@@ -2,8 +2,6 @@
 #include "core/collision/mesh_pair.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 
 #include "core/collision/box_traversal.h"
 #include "core/collision/containment.h"
@@ -267,30 +265,6 @@ bool in_contact(const CollisionMesh& a, const CollisionMesh& b, const RigidTrans
   // No contact was found, so only allowed pairs can cross.
   return for_containments(query, apart, filter.allowed != nullptr,
                           [](std::uint32_t, std::uint32_t, bool, const Vec3&) { return true; });
-}
-
-bool may_enclose(const CollisionMesh& outer_mesh, const RigidTransform& world_from_outer,
-                 const CollisionMesh& inner_mesh, const RigidTransform& world_from_inner) {
-  const Data &outer = outer_mesh.data(), &inner = inner_mesh.data();
-  if (!outer.can_enclose) return false;
-  const auto inside = [](const Vec3& p, const glm::vec3& low, const glm::vec3& high) {
-    for (int k = 0; k < 3; ++k) {
-      const double l = static_cast<double>(low[k]), h = static_cast<double>(high[k]);
-      const double more = 1e-9 * (std::abs(l) + std::abs(h));
-      if (p[k] < l - more || p[k] > h + more) return false;
-    }
-    return true;
-  };
-  for (const ComponentPlace& place : inner.places) {
-    const Vec3 at = world_from_inner * Vec3(inner.positions[place.extreme[0]]);
-    const Vec3 p = (at - world_from_outer.translation) * world_from_outer.rotation;
-    if (!inside(p, outer.low, outer.high)) continue;
-    for (std::size_t o = 0; o < outer.places.size(); ++o)
-      if (outer.topology.components[o].encloses &&
-          inside(p, outer.places[o].low, outer.places[o].high))
-        return true;
-  }
-  return false;
 }
 
 bool reach_each_other(const CollisionMesh& a, const CollisionMesh& b,

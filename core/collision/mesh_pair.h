@@ -64,10 +64,6 @@ struct TriangleContact {
 bool in_contact(const CollisionMesh& a, const CollisionMesh& b, const RigidTransform& a_from_b,
                 double distance, const PatchFilter& filter = {}, PairCache* cache = nullptr);
 
-// False if no component of `inner` can be inside of `outer`, by one point of each and boxes.
-bool may_enclose(const CollisionMesh& outer, const RigidTransform& world_from_outer,
-                 const CollisionMesh& inner, const RigidTransform& world_from_inner);
-
 // Distances by triangle: how far each of a mesh may still get.
 struct TriangleReach {
   const float* of_a = nullptr;  // one a triangle of mesh a, ≥ 0

@@ -122,27 +122,26 @@ struct CheckCost {
 CheckCost check_cost(const std::vector<Configuration>& all,
                      const std::function<bool(const Configuration&)>& free) {
   for (const Configuration& c : all) free(c);  // warms caches of all kinds
-  // The quickest of a few rounds: others may work on the machine.
-  CheckCost best;
-  best.us_free = best.us_colliding = std::numeric_limits<double>::infinity();
-  for (int round = 0; round < 7; ++round) {
-    CheckCost cost;
-    for (const Configuration& c : all) {
+  // The quickest of a few rounds for each: others may work on the machine.
+  std::vector<double> us(all.size(), std::numeric_limits<double>::infinity());
+  std::vector<bool> is_free(all.size());
+  for (int round = 0; round < 9; ++round) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
       const auto start = std::chrono::steady_clock::now();
-      const bool is_free = free(c);
-      const double us =
-          std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start)
-              .count();
-      ++(is_free ? cost.free : cost.colliding);
-      (is_free ? cost.us_free : cost.us_colliding) += us;
+      is_free[i] = free(all[i]);
+      us[i] = std::min(
+          us[i], std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start)
+                     .count());
     }
-    best.free = cost.free;
-    best.colliding = cost.colliding;
-    best.us_free = std::min(best.us_free, cost.us_free / std::max(1, cost.free));
-    best.us_colliding =
-        std::min(best.us_colliding, cost.us_colliding / std::max(1, cost.colliding));
   }
-  return best;
+  CheckCost cost;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    ++(is_free[i] ? cost.free : cost.colliding);
+    (is_free[i] ? cost.us_free : cost.us_colliding) += us[i];
+  }
+  cost.us_free /= std::max(1, cost.free);
+  cost.us_colliding /= std::max(1, cost.colliding);
+  return cost;
 }
 
 void print_check_costs(const Problem& p, const Options& options) {
