@@ -111,6 +111,9 @@ struct LimbPlanningSpace::Data {
   std::vector<MetricPoint> metric;
 
   std::shared_ptr<LimbMotion> motion;  // made when first asked for
+  // Edges proven last, a ring: a path is asked about again when it is found, and when smoothed.
+  std::vector<std::pair<Configuration, Configuration>> proven;
+  std::size_t next_proven = 0;
   // Scratch of certified_free: intervals that are not yet free, and the pairs they ask about.
   struct Interval {
     double begin, end;
@@ -165,6 +168,8 @@ struct LimbPlanningSpace::Data {
   // volumes are.
   bool bounds_near(int pair, const FrameTracks::Cell& cell, const Segment& segment, double more);
   bool near(int pair, const FrameTracks::Cell& cell, const Segment& segment, double more);
+  // Only true if the pair's surfaces are not near; at a fraction of the cost, and no says little.
+  bool surely_clear(int pair, const FrameTracks::Cell& cell, const Segment& segment, double more);
   bool touches(int pair, const FrameTracks::Cell& cell, const Segment& segment);
   std::optional<bool> piece_free(const Configuration& from, const Configuration& to, double begin,
                                  double end, std::int64_t& looks);

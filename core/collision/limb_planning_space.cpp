@@ -8,6 +8,7 @@
 
 #include "core/collision/limb_planning_data.h"
 #include "core/collision/mesh_data.h"
+#include "core/collision/pair_clearance.h"
 #include "core/collision/rigid_links.h"
 
 namespace elbowroom {
@@ -143,6 +144,23 @@ bool LimbPlanningSpace::Data::near(int number, const FrameTracks::Cell& cell,
   PatchFilter cross = pair.filter;
   cross.allowed = state.cross;
   return in_contact(a, b, a_from_b, more, cross, &state.cross_cache);
+}
+
+bool LimbPlanningSpace::Data::surely_clear(int number, const FrameTracks::Cell& cell,
+                                           const Segment& segment, double more) {
+  if (!bounds_near(number, cell, segment, more)) return true;
+  const auto k = static_cast<std::size_t>(number);
+  const Pair& pair = pairs[k];
+  const PairState& state = pair_states[k];
+  const CollisionMesh &a = *pieces[static_cast<std::size_t>(pair.a)].mesh,
+                      &b = *pieces[static_cast<std::size_t>(pair.b)].mesh;
+  const RigidTransform a_from_b =
+      inverse(place(cell, segment, pair.a)) * place(cell, segment, pair.b);
+  if (!surely_farther(a, b, a_from_b, state.distance + more, pair.filter)) return false;
+  if (!state.near_only) return true;
+  PatchFilter cross = pair.filter;
+  cross.allowed = state.cross;
+  return surely_farther(a, b, a_from_b, more, cross);
 }
 
 bool LimbPlanningSpace::Data::touches(int number, const FrameTracks::Cell& cell,
