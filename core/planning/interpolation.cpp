@@ -9,8 +9,8 @@ namespace elbowroom {
 namespace {
 
 // Samples of an edge before a proof is asked for, and edges too short to ask.
-constexpr std::int64_t kBeforeAProof = 3;
-constexpr std::int64_t kWorthAProof = 6;
+constexpr std::int64_t kBeforeAProof = 1;
+constexpr std::int64_t kWorthAProof = 3;
 
 // Both sides of every step in (a.t, b.t]; the end b itself is tested by whoever made it, but as
 // seen from after the step, so its near side is tested here too.
@@ -73,7 +73,7 @@ bool interpolation_free(StateSpace& world, const EdgeResolution& resolution, con
   if (!(resolution.radians > 0) || !(resolution.seconds > 0) || !(pieces < 1e9)) return false;
   if (!free_at_steps(world, a, b, stop, counters)) return false;
   const auto n = static_cast<std::int64_t>(std::ceil(pieces));
-  // A few samples find most collisions; what they leave, a proof settles, cheaper than the rest of
+  // The middle finds most collisions; what it leaves, a proof settles, cheaper than the rest of
   // the samples and for all configurations between; where it is refused, the rest decides.
   std::int64_t samples = 0;
   bool asked = n < kWorthAProof, proven = false;
