@@ -18,7 +18,12 @@ namespace {
 
 struct Box {
   float center[3], half[3];
-  float normal[3], middle, thickness;  // its slab
+  struct Slab {
+    float normal[3], middle, thickness;
+  };
+  Slab slab[2];
+  int slabs;      // of them in use
+  int long_axis;  // one that it is much longer along than along the others, or -1
 };
 
 // What it takes to bring a box of the other tree into this tree's local frame.
@@ -37,7 +42,7 @@ struct Entry {
   BoxTree::Ref open;     // node of tree `side` whose children are tested
   BoxTree::Ref against;  // node or triangle of the other tree
   Box box;               // of `against`, in its own frame
-  float size;            // largest half extent of `box`
+  float shrinks;         // of `box`
   float bound;           // lower bound of the distance; visit_closest_pairs only
   int side;
 };
@@ -70,13 +75,11 @@ bool set_pair(Pair& pair, const BoxTree& a, const BoxTree& b, const RigidTransfo
   // Translations far larger than the meshes carry rounding of their own.
   const double coarse =
       glm::length(a_from_b.translation) + glm::length(a.origin) + glm::length(b.origin);
-  const Mat3 gram = glm::transpose(a_from_b.rotation) * a_from_b.rotation;
-  double defect = 0;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      defect = std::max(defect, std::abs(gram[i][j] - (i == j ? 1.0 : 0.0)));
-    }
-  }
+  const Vec3 &x = a_from_b.rotation[0], &y = a_from_b.rotation[1], &z = a_from_b.rotation[2];
+  double defect = std::max(
+      {std::abs(glm::dot(x, x) - 1), std::abs(glm::dot(y, y) - 1), std::abs(glm::dot(z, z) - 1)});
+  defect = std::max(
+      {defect, std::abs(glm::dot(x, y)), std::abs(glm::dot(y, z)), std::abs(glm::dot(z, x))});
   if (length > (reach + distance) * (1 + 1e-9) + 1e-14 * coarse + 4 * defect * (reach + coarse)) {
     return false;
   }
@@ -111,8 +114,59 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Lanes = hn::CappedTag<float, BoxTree::kWidth>;
 using Vector = hn::Vec<Lanes>;
 
-// Eight axes: the six face normals, and the normals of the slabs of both sides. The nine axes
-// across pairs of edges, measured, save as much work below as they cost here.
+// The box's slab in this tree's frame, and how far each of 16 boxes is from it.
+struct SlabHere {
+  float normal[3], middle, thickness;
+};
+
+HWY_INLINE SlabHere slab_here(const Frame& f, const Box::Slab& slab) {
+  SlabHere here;
+  here.middle = slab.middle;
+  here.thickness = slab.thickness;
+  for (int i = 0; i < 3; ++i) {
+    here.normal[i] =
+        f.r[i][0] * slab.normal[0] + f.r[i][1] * slab.normal[1] + f.r[i][2] * slab.normal[2];
+    here.middle += here.normal[i] * f.t[i];
+  }
+  return here;
+}
+
+HWY_INLINE Vector gap_from_slab(const BoxTree::Node& node, int first, const Vector half[3],
+                                const SlabHere& slab) {
+  const Lanes d;
+  const Vector along =
+      hn::Add(hn::Add(hn::Mul(hn::Load(d, node.center[0] + first), hn::Set(d, slab.normal[0])),
+                      hn::Mul(hn::Load(d, node.center[1] + first), hn::Set(d, slab.normal[1]))),
+              hn::Mul(hn::Load(d, node.center[2] + first), hn::Set(d, slab.normal[2])));
+  const Vector span = hn::Add(hn::Add(hn::Mul(half[0], hn::Set(d, std::abs(slab.normal[0]))),
+                                      hn::Mul(half[1], hn::Set(d, std::abs(slab.normal[1])))),
+                              hn::Mul(half[2], hn::Set(d, std::abs(slab.normal[2]))));
+  return hn::Sub(hn::Abs(hn::Sub(along, hn::Set(d, slab.middle))),
+                 hn::Add(span, hn::Set(d, slab.thickness)));
+}
+
+// How far the box, whose centre in this frame is c, is from the slabs of 16.
+HWY_INLINE Vector gap_from_slabs(const BoxTree::Node::Slabs& slabs, int first, const Frame& f,
+                                 const Box& box, const float c[3]) {
+  const Lanes d;
+  const Vector n[3] = {hn::Load(d, slabs.normal[0] + first), hn::Load(d, slabs.normal[1] + first),
+                       hn::Load(d, slabs.normal[2] + first)};
+  Vector span = hn::Load(d, slabs.thickness + first);
+  for (int j = 0; j < 3; ++j) {
+    const Vector dot =
+        hn::Add(hn::Add(hn::Mul(n[0], hn::Set(d, f.r[0][j])), hn::Mul(n[1], hn::Set(d, f.r[1][j]))),
+                hn::Mul(n[2], hn::Set(d, f.r[2][j])));
+    span = hn::Add(span, hn::Mul(hn::Abs(dot), hn::Set(d, box.half[j])));
+  }
+  const Vector along =
+      hn::Add(hn::Add(hn::Mul(n[0], hn::Set(d, c[0])), hn::Mul(n[1], hn::Set(d, c[1]))),
+              hn::Mul(n[2], hn::Set(d, c[2])));
+  return hn::Sub(hn::Abs(hn::Sub(along, hn::Load(d, slabs.middle + first))), span);
+}
+
+// The six face normals, the normals of the slabs of both sides, and of the nine axes across pairs
+// of edges those of the box's long axis if it has one: rods pass each other there. All nine,
+// measured, save as much work below as they cost here.
 //
 // Bit i: the box of child i is not surely farther than `margin` from `box`. `bounds` gets a lower
 // bound of each child's distance with kBound; without, its largest gap along any face's normal:
@@ -128,13 +182,9 @@ HWY_INLINE std::uint32_t overlaps(const BoxTree::Node& node, const Frame& f, con
     reach[i] =
         f.abs_r[i][0] * box.half[0] + f.abs_r[i][1] * box.half[1] + f.abs_r[i][2] * box.half[2];
   }
-  // The slab of `box` in this frame.
-  float slab[3];
-  float slab_middle = box.middle;
-  for (int i = 0; i < 3; ++i) {
-    slab[i] = f.r[i][0] * box.normal[0] + f.r[i][1] * box.normal[1] + f.r[i][2] * box.normal[2];
-    slab_middle += slab[i] * f.t[i];
-  }
+  const SlabHere slab = slab_here(f, box.slab[0]);
+  SlabHere second;
+  if (box.slabs > 1) second = slab_here(f, box.slab[1]);
   std::uint32_t bits = 0;
   const int step = static_cast<int>(hn::Lanes(d));
   for (int first = 0; first < node.count; first += step) {
@@ -146,16 +196,9 @@ HWY_INLINE std::uint32_t overlaps(const BoxTree::Node& node, const Frame& f, con
     }
     const Vector limit = hn::Set(d, margin);
     // A separating axis must show itself: comparisons with NaN keep the pair.
-    // The slab of `box` across all of these boxes.
-    const Vector slab_along =
-        hn::Add(hn::Add(hn::Mul(hn::Load(d, node.center[0] + first), hn::Set(d, slab[0])),
-                        hn::Mul(hn::Load(d, node.center[1] + first), hn::Set(d, slab[1]))),
-                hn::Mul(hn::Load(d, node.center[2] + first), hn::Set(d, slab[2])));
-    const Vector slab_span = hn::Add(hn::Add(hn::Mul(half[0], hn::Set(d, std::abs(slab[0]))),
-                                             hn::Mul(half[1], hn::Set(d, std::abs(slab[1])))),
-                                     hn::Mul(half[2], hn::Set(d, std::abs(slab[2]))));
-    const Vector slab_gap = hn::Sub(hn::Abs(hn::Sub(slab_along, hn::Set(d, slab_middle))),
-                                    hn::Add(slab_span, hn::Set(d, box.thickness)));
+    // The slabs of `box` across all of these boxes.
+    Vector slab_gap = gap_from_slab(node, first, half, slab);
+    if (box.slabs > 1) slab_gap = hn::Max(slab_gap, gap_from_slab(node, first, half, second));
     const Vector widest = hn::Max(hn::Max(gap[0], gap[1]), hn::Max(gap[2], slab_gap));
     auto apart = hn::Gt(widest, limit);
     if (!kBound && hn::AllTrue(d, apart)) continue;
@@ -170,20 +213,8 @@ HWY_INLINE std::uint32_t overlaps(const BoxTree::Node& node, const Frame& f, con
       other_gap[j] = hn::Sub(hn::Abs(along), hn::Add(span, hn::Set(d, box.half[j])));
     }
     // `box` across each of their slabs.
-    const Vector n[3] = {hn::Load(d, node.normal[0] + first), hn::Load(d, node.normal[1] + first),
-                         hn::Load(d, node.normal[2] + first)};
-    Vector own_span = hn::Load(d, node.thickness + first);
-    for (int j = 0; j < 3; ++j) {
-      const Vector dot = hn::Add(
-          hn::Add(hn::Mul(n[0], hn::Set(d, f.r[0][j])), hn::Mul(n[1], hn::Set(d, f.r[1][j]))),
-          hn::Mul(n[2], hn::Set(d, f.r[2][j])));
-      own_span = hn::Add(own_span, hn::Mul(hn::Abs(dot), hn::Set(d, box.half[j])));
-    }
-    const Vector own_along =
-        hn::Add(hn::Add(hn::Mul(n[0], hn::Set(d, c[0])), hn::Mul(n[1], hn::Set(d, c[1]))),
-                hn::Mul(n[2], hn::Set(d, c[2])));
-    const Vector own_gap =
-        hn::Sub(hn::Abs(hn::Sub(own_along, hn::Load(d, node.middle + first))), own_span);
+    Vector own_gap = gap_from_slabs(node.slab[0], first, f, box, c);
+    if (node.slabs > 1) own_gap = hn::Max(own_gap, gap_from_slabs(node.slab[1], first, f, box, c));
     const Vector widest_of_other =
         hn::Max(hn::Max(other_gap[0], other_gap[1]), hn::Max(other_gap[2], own_gap));
     apart = hn::Or(apart, hn::Gt(widest_of_other, limit));
@@ -212,6 +243,24 @@ HWY_INLINE std::uint32_t overlaps(const BoxTree::Node& node, const Frame& f, con
       apart = hn::Or(apart, hn::Gt(bound, limit));
     } else {
       if (hn::AllTrue(d, apart)) continue;
+      if (box.long_axis >= 0) {
+        // Across this tree's axis k and the box's long one, e: k × e is no longer than 1, so a gap
+        // along it is no larger than the one along its unit vector.
+        const int e = box.long_axis, e1 = (e + 1) % 3, e2 = (e + 2) % 3;
+        for (int k = 0; k < 3; ++k) {
+          const int m = (k + 1) % 3, n = (k + 2) % 3;
+          const float x = -f.r[n][e], y = f.r[m][e];
+          const float own = box.half[e1] * std::abs(x * f.r[m][e1] + y * f.r[n][e1]) +
+                            box.half[e2] * std::abs(x * f.r[m][e2] + y * f.r[n][e2]);
+          const Vector along =
+              hn::Add(hn::Mul(dist[m], hn::Set(d, x)), hn::Mul(dist[n], hn::Set(d, y)));
+          const Vector span = hn::Add(hn::Mul(half[m], hn::Set(d, std::abs(x))),
+                                      hn::Mul(half[n], hn::Set(d, std::abs(y))));
+          apart =
+              hn::Or(apart, hn::Gt(hn::Sub(hn::Abs(along), hn::Add(span, hn::Set(d, own))), limit));
+        }
+        if (hn::AllTrue(d, apart)) continue;
+      }
       hn::Store(hn::Max(widest, widest_of_other), d, bounds + first);
     }
     std::uint8_t bytes[8] = {};
@@ -222,21 +271,27 @@ HWY_INLINE std::uint32_t overlaps(const BoxTree::Node& node, const Frame& f, con
   return bits & ((1u << node.count) - 1u);
 }
 
+HWY_INLINE void find_long_axis(Box& box) {
+  box.long_axis = -1;
+  for (int i = 0; i < 3; ++i)
+    if (box.half[i] > 3 * std::max(box.half[(i + 1) % 3], box.half[(i + 2) % 3])) box.long_axis = i;
+}
+
 HWY_INLINE void root_entry(const Pair& pair, Entry& entry) {
   const BoxTree &a = *pair.frame[0].tree, &b = *pair.frame[1].tree;
-  const float size_a = std::max({a.root_half[0], a.root_half[1], a.root_half[2]});
-  const float size_b = std::max({b.root_half[0], b.root_half[1], b.root_half[2]});
-  entry.side = size_a >= size_b ? 0 : 1;
+  entry.side = a.root_shrinks >= b.root_shrinks ? 0 : 1;
   const BoxTree& other = entry.side == 0 ? b : a;
   entry.open = 0;
   entry.against = 0;
   for (int k = 0; k < 3; ++k) {
     entry.box.center[k] = other.root_center[k];
     entry.box.half[k] = other.root_half[k];
-    entry.box.normal[k] = 0;
+    entry.box.slab[0].normal[k] = 0;
   }
-  entry.box.middle = entry.box.thickness = 0;
-  entry.size = entry.side == 0 ? size_b : size_a;
+  entry.box.slab[0].middle = entry.box.slab[0].thickness = 0;
+  entry.box.slabs = 1;
+  find_long_axis(entry.box);
+  entry.shrinks = other.root_shrinks;
   entry.bound = 0;
 }
 
@@ -244,28 +299,32 @@ HWY_INLINE void child_box(const BoxTree::Node& node, int i, Box& box) {
   for (int k = 0; k < 3; ++k) {
     box.center[k] = node.center[k][i];
     box.half[k] = node.half[k][i];
-    box.normal[k] = node.normal[k][i];
   }
-  box.middle = node.middle[i];
-  box.thickness = node.thickness[i];
+  box.slabs = node.slabs;
+  for (int s = 0; s < node.slabs; ++s) {
+    for (int k = 0; k < 3; ++k) box.slab[s].normal[k] = node.slab[s].normal[k][i];
+    box.slab[s].middle = node.slab[s].middle[i];
+    box.slab[s].thickness = node.slab[s].thickness[i];
+  }
+  find_long_axis(box);
 }
 
 // The next test for child i of `node` against what `from` holds.
 HWY_INLINE void descend(const BoxTree::Node& node, int i, const Entry& from, Entry& to) {
   const BoxTree::Ref child = node.child[i];
-  // Open the larger of the two; a triangle cannot be opened.
+  // Open the one that shrinks more; a triangle cannot be opened.
   if (BoxTree::is_triangle(from.against) ||
-      (!BoxTree::is_triangle(child) && node.size[i] >= from.size)) {
+      (!BoxTree::is_triangle(child) && node.shrinks[i] >= from.shrinks)) {
     to.open = child;
     to.against = from.against;
     to.box = from.box;
-    to.size = from.size;
+    to.shrinks = from.shrinks;
     to.side = from.side;
   } else {
     to.open = from.against;
     to.against = child;
     child_box(node, i, to.box);
-    to.size = node.size[i];
+    to.shrinks = node.shrinks[i];
     to.side = 1 - from.side;
   }
 }
@@ -287,26 +346,36 @@ HWY_INLINE Axis axis_in(const Frame& frame, int side, const Vec3& axis) {
   return out;
 }
 
-bool VisitClose(const Pair& pair, double distance, PairVisitor visitor, void* context) {
+bool VisitClose(const Pair& pair, double distance, PairVisitor visitor, void* context,
+                Apart& apart) {
   const float margin = widened(distance, pair.slack);
   Entry stack[kStack];
   int count = 1;
   root_entry(pair, stack[0]);
+  // That the box of one is apart from all boxes of the other's root keeps these outside of it, but
+  // not the one out of what these surround.
+  bool root = true;
   while (count > 0) {
     const Entry entry = stack[--count];
     const Frame& frame = pair.frame[entry.side];
     const BoxTree::Node& node = frame.tree->nodes[static_cast<std::size_t>(entry.open)];
     alignas(64) float gaps[BoxTree::kWidth];
     std::uint32_t bits = overlaps<false>(node, frame, entry.box, margin, 0.0f, nullptr, gaps);
+    if (root && bits == 0) (entry.side == 0 ? apart.a_outside_b : apart.b_outside_a) = true;
+    root = false;
     std::uint32_t many[BoxTree::kWidth];
     int leaves = 0, deepest = count;
-    float deepest_gap = std::numeric_limits<float>::infinity();
+    float deepest_gap = std::numeric_limits<float>::infinity(), deepest_leaf = deepest_gap;
     const bool against_triangle = BoxTree::is_triangle(entry.against);
     while (bits != 0) {
       const int i = __builtin_ctz(bits);
       bits &= bits - 1;
       if (against_triangle && BoxTree::is_triangle(node.child[i])) {
         many[leaves++] = BoxTree::triangle_of(node.child[i]);
+        if (gaps[i] < deepest_leaf) {
+          deepest_leaf = gaps[i];
+          std::swap(many[0], many[leaves - 1]);
+        }
       } else {
         if (gaps[i] < deepest_gap) {
           deepest_gap = gaps[i];
@@ -315,7 +384,7 @@ bool VisitClose(const Pair& pair, double distance, PairVisitor visitor, void* co
         descend(node, i, entry, stack[count++]);
       }
     }
-    // The deepest pair goes on top: surfaces that cross are found soonest there.
+    // The deepest pair goes on top, and first: surfaces that cross are found soonest there.
     if (deepest + 1 < count) std::swap(stack[deepest], stack[count - 1]);
     if (leaves > 0 &&
         visitor(context, BoxTree::triangle_of(entry.against), many, leaves, entry.side == 1)) {
@@ -397,10 +466,16 @@ bool is_finite(const RigidTransform& t) {
 }
 
 bool visit_close_pairs(const BoxTree& a, const BoxTree& b, const RigidTransform& a_from_b,
-                       double distance, PairVisitor visitor, void* context) {
+                       double distance, PairVisitor visitor, void* context, Apart* apart) {
+  Apart seen{true, true};
   Pair pair;
-  if (a.empty() || b.empty() || !set_pair(pair, a, b, a_from_b, distance)) return false;
-  return HWY_DYNAMIC_DISPATCH(VisitClose)(pair, distance, visitor, context);
+  bool stopped = false;
+  if (!a.empty() && !b.empty() && set_pair(pair, a, b, a_from_b, distance)) {
+    seen = {};
+    stopped = HWY_DYNAMIC_DISPATCH(VisitClose)(pair, distance, visitor, context, seen);
+  }
+  if (apart) *apart = seen;
+  return stopped;
 }
 
 bool visit_closest_pairs(const BoxTree& a, const BoxTree& b, const RigidTransform& a_from_b,

@@ -22,10 +22,15 @@ namespace elbowroom {
 using PairVisitor = bool (*)(void* context, std::uint32_t one, const std::uint32_t* many, int count,
                              bool one_is_a);
 
+// What a traversal has seen of whole trees: nothing of a lies in b's box, nothing of b in a's.
+struct Apart {
+  bool a_outside_b = false, b_outside_a = false;
+};
+
 // Visits all pairs of triangles whose boxes are not surely farther apart than `distance`, deepest
 // first. True if the visitor stopped it.
 bool visit_close_pairs(const BoxTree& a, const BoxTree& b, const RigidTransform& a_from_b,
-                       double distance, PairVisitor visitor, void* context);
+                       double distance, PairVisitor visitor, void* context, Apart* apart = nullptr);
 
 // The closest pair of triangles so far, kept by the visitor below.
 struct ClosestSoFar {

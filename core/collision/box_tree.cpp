@@ -63,7 +63,30 @@ void set_center_half(const glm::vec3& low, const glm::vec3& high, float* center,
 
 void set_slot(BoxTree::Node& node, int slot, const glm::vec3& low, const glm::vec3& high) {
   set_center_half(low, high, &node.center[0][slot], &node.half[0][slot], BoxTree::kWidth);
-  node.size[slot] = std::max({node.half[0][slot], node.half[1][slot], node.half[2][slot]});
+}
+
+float girth(const BoxTree::Node& node, int slot) {
+  return node.half[0][slot] + node.half[1][slot] + node.half[2][slot];
+}
+
+// Of a box of that girth and the node inside, whose boxes are set.
+float shrinks(float whole, const BoxTree::Node& inside) {
+  float sum = 0;
+  for (int i = 0; i < inside.count; ++i) sum += girth(inside, i);
+  return whole - sum / static_cast<float>(inside.count);
+}
+
+void set_shrinks(BoxTree& tree, BoxTree::Node& node, int slot) {
+  const BoxTree::Ref ref = node.child[slot];
+  node.shrinks[slot] = BoxTree::is_triangle(ref)
+                           ? 0.0f
+                           : shrinks(girth(node, slot), tree.nodes[static_cast<std::size_t>(ref)]);
+}
+
+void set_root(BoxTree& tree) {
+  set_center_half(tree.low[0], tree.high[0], tree.root_center, tree.root_half, 1);
+  tree.root_shrinks =
+      shrinks(tree.root_half[0] + tree.root_half[1] + tree.root_half[2], tree.nodes.front());
 }
 
 void place_origin(BoxTree& tree, std::span<const glm::vec3> positions,
@@ -110,8 +133,13 @@ Vec3 common_normal(const NormalSum& m) {
   return v;
 }
 
-// Slab of triangles [begin, end) of `order` across `normal`.
-void set_slab(BoxTree::Node& node, int slot, const BoxTree& tree, const Vec3& normal,
+void no_slab(BoxTree::Node::Slabs& slabs, int slot) {
+  for (int k = 0; k < 3; ++k) slabs.normal[k][slot] = 0;
+  slabs.middle[slot] = slabs.thickness[slot] = 0;
+}
+
+// Slab of some triangles across `normal`.
+void set_slab(BoxTree::Node::Slabs& slabs, int slot, const BoxTree& tree, const Vec3& normal,
               std::span<const std::uint32_t> some, std::span<const glm::vec3> positions,
               std::span<const glm::uvec3> triangles) {
   const glm::vec3 n(normal);
@@ -131,10 +159,58 @@ void set_slab(BoxTree::Node& node, int slot, const BoxTree& tree, const Vec3& no
     low = high = 0;
   }
   const auto middle = static_cast<float>(0.5 * (low + high));
-  for (int k = 0; k < 3; ++k) node.normal[k][slot] = n[k];
-  node.middle[slot] = middle;
-  node.thickness[slot] =
+  for (int k = 0; k < 3; ++k) slabs.normal[k][slot] = n[k];
+  slabs.middle[slot] = middle;
+  slabs.thickness[slot] =
       up(std::max(high - static_cast<double>(middle), static_cast<double>(middle) - low));
+}
+
+// The direction that some triangles' corners extend along most, across `normal`; 0 if there is
+// none.
+Vec3 long_direction(const Vec3& normal, std::span<const std::uint32_t> some,
+                    std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles) {
+  const Vec3 first(positions[triangles[some.front()].x]);
+  Vec3 sum(0.0);
+  NormalSum squares{};
+  for (const std::uint32_t t : some) {
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 p = Vec3(positions[triangles[t][i]]) - first;
+      sum += p;
+      const NormalSum own = normal_sum(p, p);
+      for (std::size_t k = 0; k < 6; ++k) squares[k] += own[k];
+    }
+  }
+  const Vec3 mean = sum / (3.0 * static_cast<double>(some.size()));
+  const NormalSum whole = normal_sum(sum, mean);
+  for (std::size_t k = 0; k < 6; ++k) squares[k] -= whole[k];
+  const Vec3 direction = common_normal(squares);
+  const Vec3 across = direction - glm::dot(direction, normal) * normal;
+  const double length = glm::length(across);
+  return length > 1e-6 ? across / length : Vec3(0.0);
+}
+
+// A second slab, across the first and along the triangles, if it is much thinner than the box is
+// that way.
+void set_second_slab(BoxTree::Node& node, int slot, const BoxTree& tree,
+                     std::span<const std::uint32_t> some, std::span<const glm::vec3> positions,
+                     std::span<const glm::uvec3> triangles) {
+  constexpr float kThinner = 0.6f;
+  BoxTree::Node::Slabs& second = node.slab[1];
+  no_slab(second, slot);
+  const auto& first = node.slab[0].normal;
+  const Vec3 normal(first[0][slot], first[1][slot], first[2][slot]);
+  if (normal == Vec3(0.0)) return;
+  const Vec3 along = long_direction(normal, some, positions, triangles);
+  const Vec3 across = glm::cross(normal, along);
+  const double length = glm::length(across);
+  if (!(length > 0.5)) return;
+  set_slab(second, slot, tree, across / length, some, positions, triangles);
+  float box = 0;
+  for (int k = 0; k < 3; ++k) box += std::abs(second.normal[k][slot]) * node.half[k][slot];
+  if (second.thickness[slot] < kThinner * box)
+    node.slabs = 2;
+  else
+    no_slab(second, slot);
 }
 
 class Builder {
@@ -299,14 +375,15 @@ void fit(BoxTree& tree, std::span<const glm::vec3> positions,
     BoxTree::Node& node = tree.nodes[n];
     Bounds all;
     NormalSum all_normals{};
+    node.slabs = 1;
     for (int i = 0; i < BoxTree::kWidth; ++i) {
       if (i >= node.count) {
         for (int k = 0; k < 3; ++k) {
           node.center[k][i] = 0;
           node.half[k][i] = -1e30f;
-          node.normal[k][i] = 0;
         }
-        node.size[i] = node.middle[i] = node.thickness[i] = 0;
+        node.shrinks[i] = 0;
+        for (BoxTree::Node::Slabs& slabs : node.slab) no_slab(slabs, i);
         continue;
       }
       const BoxTree::Ref ref = node.child[i];
@@ -319,17 +396,23 @@ void fit(BoxTree& tree, std::span<const glm::vec3> positions,
         const double square = glm::dot(normal, normal);
         const Vec3 unit = square > 0 ? normal * (1 / std::sqrt(square)) : Vec3(0.0);
         normals = normal_sum(normal, unit);
-        set_slab(node, i, tree, unit, {&t, 1}, positions, triangles);
+        set_slot(node, i, b.low, b.high);
+        set_slab(node.slab[0], i, tree, unit, {&t, 1}, positions, triangles);
+        set_second_slab(node, i, tree, {&t, 1}, positions, triangles);
       } else {
         const auto child = static_cast<std::size_t>(ref);
         b.low = tree.low[child];
         b.high = tree.high[child];
         normals = tree.normals[child];
-        const std::uint32_t count = tree.end[child] - tree.begin[child];
-        set_slab(node, i, tree, count <= kLargestSlab ? common_normal(normals) : Vec3(0.0),
-                 std::span(tree.order).subspan(tree.begin[child], count), positions, triangles);
+        const auto some = std::span<const std::uint32_t>(tree.order)
+                              .subspan(tree.begin[child], tree.end[child] - tree.begin[child]);
+        set_slot(node, i, b.low, b.high);
+        set_slab(node.slab[0], i, tree,
+                 some.size() <= kLargestSlab ? common_normal(normals) : Vec3(0.0), some, positions,
+                 triangles);
+        set_second_slab(node, i, tree, some, positions, triangles);
       }
-      set_slot(node, i, b.low, b.high);
+      set_shrinks(tree, node, i);
       all.add(b);
       for (std::size_t k = 0; k < 6; ++k) all_normals[k] += normals[k];
     }
@@ -337,7 +420,7 @@ void fit(BoxTree& tree, std::span<const glm::vec3> positions,
     tree.high[n] = all.high;
     tree.normals[n] = all_normals;
   }
-  set_center_half(tree.low[0], tree.high[0], tree.root_center, tree.root_half, 1);
+  set_root(tree);
 }
 
 }  // namespace
@@ -367,6 +450,7 @@ void refit_box_tree(BoxTree& tree, std::span<const glm::vec3> positions,
   for (std::size_t n = tree.nodes.size(); n-- > 0;) {
     BoxTree::Node& node = tree.nodes[n];
     Bounds all;
+    node.slabs = 1;
     for (int i = 0; i < node.count; ++i) {
       const BoxTree::Ref ref = node.child[i];
       Bounds b;
@@ -377,15 +461,15 @@ void refit_box_tree(BoxTree& tree, std::span<const glm::vec3> positions,
         b.low = tree.low[child];
         b.high = tree.high[child];
       }
-      for (int k = 0; k < 3; ++k) node.normal[k][i] = 0;
-      node.middle[i] = node.thickness[i] = 0;
+      for (BoxTree::Node::Slabs& slabs : node.slab) no_slab(slabs, i);
       set_slot(node, i, b.low, b.high);
+      set_shrinks(tree, node, i);
       all.add(b);
     }
     tree.low[n] = all.low;
     tree.high[n] = all.high;
   }
-  set_center_half(tree.low[0], tree.high[0], tree.root_center, tree.root_half, 1);
+  set_root(tree);
 }
 
 }  // namespace elbowroom

@@ -118,10 +118,19 @@ void CollisionMesh::Data::place() {
     low = glm::min(low, place.low);
     high = glm::max(high, place.high);
   }
+  std::vector<std::pair<glm::vec3, glm::vec3>> boxes;
+  for (std::size_t c = 0; c < places.size(); ++c)
+    if (topology.components[c].encloses) boxes.emplace_back(places[c].low, places[c].high);
+  enclosing = pack_boxes(boxes, tree.origin);
   for (std::size_t l = 0; l < loop_middles.size(); ++l) {
     loop_middles[l] = glm::vec3(loop_middle(topology.loops[l], positions));
   }
   rays_fresh_.store(false, std::memory_order_release);
+}
+
+bool CollisionMesh::Data::sphere_may_meet(const Vec3& centre, double radius) const {
+  if (sphere_near_root(tree, centre, radius)) return true;
+  return sphere_near_boxes(enclosing.data(), enclosing.size(), centre - tree.origin, radius);
 }
 
 void CollisionMesh::Data::make_rays_fresh() const {

@@ -245,18 +245,25 @@ const LimbMotion::Part& LimbMotion::moving_part(int part) {
   return own;
 }
 
+const LimbMotion::Part& LimbMotion::still_part(int part) {
+  const auto p = static_cast<std::size_t>(part);
+  Part& own = parts_[p];
+  if (own.known) return own;
+  own.known = true;
+  const std::size_t track = data_.track_of[p];
+  const double radius = node_radius_[p];
+  own.in_world = between(world_[track].lift) + radius * between(world_[track].turn);
+  own.in_base = between(near_[track].lift) + radius * between(near_[track].turn);
+  return own;
+}
+
 double LimbMotion::travel(int a, int b) {
   const auto pa = static_cast<std::size_t>(a), pb = static_cast<std::size_t>(b);
   const Part& one = moving_part(a);
   const int node_b = segment_->chain_of[pb];
   if (node_b == kWorld) {
-    const std::size_t track = data_.track_of[pb];
-    const double radius = node_radius_[pb];
-    const double world =
-        one.in_world + between(world_[track].lift) + radius * between(world_[track].turn);
-    const double base =
-        one.in_base + between(near_[track].lift) + radius * between(near_[track].turn);
-    return kMore * std::min(world, base) + flex_;
+    const Part& still = still_part(b);
+    return kMore * std::min(one.in_world + still.in_world, one.in_base + still.in_base) + flex_;
   }
   const Part& other = moving_part(b);
   const auto& way_a = way_[static_cast<std::size_t>(segment_->chain_of[pa])];

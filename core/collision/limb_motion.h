@@ -56,6 +56,7 @@ class LimbMotion {
   };
   double between(const std::vector<double>& sums) const;  // the farther side of the middle
   const Part& moving_part(int part);
+  const Part& still_part(int part);
 
   LimbPlanningSpace::Data& data_;
   bool supported_ = true;

@@ -133,6 +133,9 @@ void LimbPlanningSpace::Data::build_segments() {
       };
       return rank(x) > rank(y);
     });
+    for (const int p : segment.moving)
+      segment.centre.push_back(segment.chain_from_part[static_cast<std::size_t>(p)] *
+                               pieces[static_cast<std::size_t>(p)].centre);
     for (int p = 0; p < count; ++p)
       if (segment.chain_of[static_cast<std::size_t>(p)] == kWorld) segment.still.push_back(p);
     segments.push_back(std::move(segment));

@@ -61,7 +61,8 @@ struct LimbPlanningSpace::Data {
   struct Segment {
     std::vector<int> chain_of;  // by part: the chain node that moves it, or kWorld
     std::vector<RigidTransform> chain_from_part;  // where chain_of is a node
-    std::vector<int> moving;  // parts of the limb's side, the farthest from the root first
+    std::vector<int> moving;   // parts of the limb's side, the farthest from the root first
+    std::vector<Vec3> centre;  // of their spheres, in their chain nodes' frames
     // Pair numbers by moving part, in the order they are tried: with parts of the world, by their
     // number in `still`, or -1; and with other moving parts.
     std::vector<std::vector<int>> pair_with;
@@ -88,8 +89,18 @@ struct LimbPlanningSpace::Data {
   };
   std::map<std::pair<int, int>, OwnPatches> own_patches;  // by bodies, as the pair has them
 
-  // What a moving part can meet while the world goes from one row of the tracks to the next.
-  std::vector<std::vector<std::uint32_t>> reachable;  // by row: places in Segment::still
+  // What a moving part can meet while the world goes from one row of the tracks to the next, and
+  // spheres about it, which a moving part's meet several at once: in float, relative to `origin`,
+  // from one row to the next in a straight line, and wide enough for what that leaves out. Their
+  // number is a multiple of kSpheres; those beyond `still` are out of everything's way.
+  static constexpr std::size_t kSpheres = 8;
+  struct Reach {
+    std::vector<std::uint32_t> still;  // places in Segment::still
+    Vec3 origin{0.0};
+    std::vector<float> x, y, z, dx, dy, dz, radius;
+    float largest = 0;  // coordinate
+  };
+  std::vector<Reach> reachable;  // by row
   std::vector<std::uint8_t> reach_known;
 
   struct MetricPoint {
@@ -100,6 +111,9 @@ struct LimbPlanningSpace::Data {
   std::vector<MetricPoint> metric;
 
   std::shared_ptr<LimbMotion> motion;  // made when first asked for
+  // Edges proven last, a ring: a path is asked about again when it is found, and when smoothed.
+  std::vector<std::pair<Configuration, Configuration>> proven;
+  std::size_t next_proven = 0;
   // Scratch of certified_free: intervals that are not yet free, and the pairs they ask about.
   struct Interval {
     double begin, end;
@@ -110,9 +124,14 @@ struct LimbPlanningSpace::Data {
   std::vector<std::uint32_t> reached;  // by place in Segment::still: the look-up that saw it last
   std::uint32_t reach_look_up = 0;
 
+  Configuration chain_at;  // what the links were placed for, if they were
+  bool chain_placed = false;
   std::vector<Link> links;             // scratch, by chain node
   std::vector<RigidTransform> placed;  // scratch, by part
   std::vector<std::uint8_t> is_placed;
+  std::vector<Vec3> moving_centre;                  // scratch, by part: of its sphere, world
+  std::vector<float> sphere_x, sphere_y, sphere_z;  // scratch, of a cell's Reach
+  std::vector<std::int32_t> sphere_near;
 
   Data(const SceneCollision& of, int index, double begin, double end, const LimbState& init,
        const LimbState& goal, const Settings& given)
@@ -136,6 +155,10 @@ struct LimbPlanningSpace::Data {
   RigidTransform world_part(const FrameTracks::Cell& cell, int part);
   const RigidTransform& place(const FrameTracks::Cell& cell, const Segment& segment, int part);
   void find_reachable(const FrameTracks::Cell& cell);
+  // No moving part is nearer than it may be to anything that does not move with the limb, and to
+  // another one (after the first of the two); the chain must be placed.
+  bool clear_of_still(const FrameTracks::Cell& cell, const Segment& segment);
+  bool clear_of_itself(const FrameTracks::Cell& cell, const Segment& segment);
   // A pair is tested while its first part is on the limb's side, and its second as it was paired.
   bool in_segment(int pair, const Segment& segment) const {
     return segments.size() == 1 ||
@@ -145,6 +168,8 @@ struct LimbPlanningSpace::Data {
   // volumes are.
   bool bounds_near(int pair, const FrameTracks::Cell& cell, const Segment& segment, double more);
   bool near(int pair, const FrameTracks::Cell& cell, const Segment& segment, double more);
+  // Only true if the pair's surfaces are not near; at a fraction of the cost, and no says little.
+  bool surely_clear(int pair, const FrameTracks::Cell& cell, const Segment& segment, double more);
   bool touches(int pair, const FrameTracks::Cell& cell, const Segment& segment);
   std::optional<bool> piece_free(const Configuration& from, const Configuration& to, double begin,
                                  double end, std::int64_t& looks);

@@ -13,7 +13,9 @@ namespace elbowroom {
 namespace {
 
 constexpr double kCoarse = 0.04;    // × height of travel: above it only bounding volumes are asked
+constexpr double kFine = 2e-3;      // × height of travel: below it distances are exact
 constexpr double kGiveUp = 2.5e-4;  // × height of travel: what is not free by then is refused
+constexpr std::size_t kMostProven = 256;  // edges that are remembered
 constexpr std::size_t kMostIntervals = 1 << 14;
 
 }  // namespace
@@ -39,7 +41,7 @@ std::optional<bool> LimbPlanningSpace::Data::piece_free(const Configuration& fro
     cell.row = row;
     cell.segment = first.segment;
     if (!reach_known[row]) find_reachable(cell);
-    for (const std::uint32_t s : reachable[row]) {
+    for (const std::uint32_t s : reachable[row].still) {
       if (reached[s] == reach_look_up) continue;
       reached[s] = reach_look_up;
       seen.push_back(s);
@@ -74,7 +76,9 @@ std::optional<bool> LimbPlanningSpace::Data::piece_free(const Configuration& fro
       const double travel = motion->travel(parts_of.a, parts_of.b);
       if (!std::isfinite(travel)) return false;
       if (travel <= kCoarse * height) {
-        if (!near(pair, cell, segment, travel)) continue;
+        const bool fine = travel <= kFine * height + 4 * motion->flex();
+        if (fine ? !near(pair, cell, segment, travel) : surely_clear(pair, cell, segment, travel))
+          continue;
         if (travel <= kGiveUp * height + motion->flex()) return false;
       } else if (!bounds_near(pair, cell, segment, travel)) {
         continue;
@@ -101,6 +105,12 @@ std::optional<bool> LimbPlanningSpace::certified_free(const Configuration& from,
     if (!std::isfinite(from.q[i]) || !std::isfinite(to.q[i])) return false;
   if (!d.motion) d.motion = std::make_shared<LimbMotion>(d);
   if (!d.motion->supported()) return std::nullopt;
+  const auto same = [count](const Configuration& x, const Configuration& y) {
+    return x.t == y.t &&
+           std::equal(x.q.value.begin(), x.q.value.begin() + count, y.q.value.begin());
+  };
+  for (const auto& [known_from, known_to] : d.proven)
+    if (same(known_from, from) && same(known_to, to)) return true;
   double begin = from.t;
   const auto& steps = d.tracks->steps();
   for (auto step = std::upper_bound(steps.begin(), steps.end(), from.t);
@@ -109,7 +119,12 @@ std::optional<bool> LimbPlanningSpace::certified_free(const Configuration& from,
     if (!free || !*free) return free;
     begin = *step;
   }
-  return d.piece_free(from, to, begin, to.t, looks);
+  const auto free = d.piece_free(from, to, begin, to.t, looks);
+  if (free && *free) {
+    if (d.proven.size() < kMostProven) d.proven.resize(d.proven.size() + 1);
+    d.proven[d.next_proven++ % kMostProven] = {from, to};
+  }
+  return free;
 }
 
 }  // namespace elbowroom

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "core/collision/limb_planning_data.h"
+#include "core/collision/mesh_data.h"
+#include "core/collision/pair_clearance.h"
 #include "core/collision/rigid_links.h"
 
 namespace elbowroom {
@@ -27,6 +29,11 @@ LimbState LimbPlanningSpace::Data::state_at(const Configuration& c) const {
 // Places the chain's nodes; with `clip_pose` as the clip has them.
 void LimbPlanningSpace::Data::place_chain(const FrameTracks::Cell& cell, const Configuration& c,
                                           bool clip_pose) {
+  if (!clip_pose && chain_placed && chain_at.t == c.t && chain_at.q.count == c.q.count &&
+      std::equal(c.q.value.begin(), c.q.value.begin() + c.q.count, chain_at.q.value.begin()))
+    return;
+  chain_placed = !clip_pose;
+  chain_at = c;
   const LimbState state = state_at(c);
   const Mat4 &p0 = tracks->parent(cell.row), &p1 = tracks->parent(cell.row + 1);
   // A rotation between two close ones, entry by entry, is short of a rotation by the square of
@@ -87,68 +94,6 @@ const RigidTransform& LimbPlanningSpace::Data::place(const FrameTracks::Cell& ce
   return placed[p];
 }
 
-// Which parts of the world the limb's side can meet in a cell, whatever its DOFs.
-void LimbPlanningSpace::Data::find_reachable(const FrameTracks::Cell& cell) {
-  reach_known[cell.row] = 1;
-  const Segment& segment = segments[static_cast<std::size_t>(cell.segment)];
-  double reach = 0, largest = 0;
-  Vec3 root[2];
-  for (int end = 0; end < 2; ++end) {
-    const std::uint32_t row = cell.row + static_cast<std::uint32_t>(end);
-    const Mat4& parent = tracks->parent(row);
-    root[end] = Vec3(parent * glm::dvec4(tracks->local(row, 0).translation, 1.0));
-    // No node is farther from the root than the bones on the way are long.
-    std::vector<double> stretch(chain.nodes.size()), from_root(chain.nodes.size(), 0.0);
-    const auto longest = [](const Mat3& m) {
-      return std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
-    };
-    // Column lengths bound a rotation with scale; the Frobenius norm bounds anything.
-    const auto bound = [&](const Mat3& m) {
-      const double x = glm::dot(m[0], m[0]), y = glm::dot(m[1], m[1]), z = glm::dot(m[2], m[2]);
-      const double tiny = 1e-9 * (x + y + z);
-      const bool plain = std::abs(x - y) <= tiny && std::abs(x - z) <= tiny;
-      return plain ? std::sqrt(x) * (1 + 1e-6) : longest(m);
-    };
-    for (std::size_t n = 0; n < chain.nodes.size(); ++n) {
-      const Transform& local = tracks->local(row, n);
-      const int up = chain.nodes[n].parent;
-      const double above = up < 0 ? bound(Mat3(parent)) : stretch[static_cast<std::size_t>(up)];
-      const double size =
-          std::max({std::abs(local.scale.x), std::abs(local.scale.y), std::abs(local.scale.z)});
-      stretch[n] = above * size;
-      if (up >= 0)
-        from_root[n] =
-            from_root[static_cast<std::size_t>(up)] + above * glm::length(local.translation);
-    }
-    for (const int p : segment.moving) {
-      const PlanningPart& piece = pieces[static_cast<std::size_t>(p)];
-      const int node = segment.chain_of[static_cast<std::size_t>(p)];
-      const Vec3 centre = segment.chain_from_part[static_cast<std::size_t>(p)] * piece.centre;
-      reach = std::max(
-          reach, from_root[static_cast<std::size_t>(node)] + glm::length(centre) + piece.radius);
-    }
-  }
-  for (const PairState& state : pair_states) largest = std::max(largest, state.distance);
-  const Vec3 middle = 0.5 * (root[0] + root[1]);
-  const double drift = 0.5 * glm::distance(root[0], root[1]);
-  auto& list = reachable[cell.row];
-  list.clear();
-  for (std::size_t s = 0; s < segment.still.size(); ++s) {
-    const auto p = static_cast<std::size_t>(segment.still[s]);
-    const Vec3 at = pieces[p].node_from_part * pieces[p].centre;
-    Vec3 ends[2];
-    for (int end = 0; end < 2; ++end) {
-      const NodeFrame& f = tracks->frame(cell.row + static_cast<std::uint32_t>(end), track_of[p]);
-      ends[end] = f.place + f.rotation * at;
-    }
-    // Turning between two rows leaves the chord by at most its length.
-    const double moves = glm::distance(ends[0], ends[1]);
-    if (glm::distance(0.5 * (ends[0] + ends[1]), middle) <=
-        reach + drift + pieces[p].radius + moves + largest)
-      list.push_back(static_cast<std::uint32_t>(s));
-  }
-}
-
 bool LimbPlanningSpace::Data::bounds_near(int number, const FrameTracks::Cell& cell,
                                           const Segment& segment, double more) {
   const auto k = static_cast<std::size_t>(number);
@@ -158,7 +103,8 @@ bool LimbPlanningSpace::Data::bounds_near(int number, const FrameTracks::Cell& c
   const RigidTransform& world_from_b = place(cell, segment, pair.b);
   const PlanningPart &a = pieces[static_cast<std::size_t>(pair.a)],
                      &b = pieces[static_cast<std::size_t>(pair.b)];
-  const Vec3 apart = world_from_a * a.centre - world_from_b * b.centre;
+  const Vec3 centre_a = world_from_a * a.centre, centre_b = world_from_b * b.centre;
+  const Vec3 apart = centre_a - centre_b;
   const double sum = a.radius + b.radius + distance;
   if (glm::dot(apart, apart) > sum * sum) return false;
   // Long thin parts fill little of their spheres: each one's box against the other's sphere.
@@ -170,8 +116,17 @@ bool LimbPlanningSpace::Data::bounds_near(int number, const FrameTracks::Cell& c
     }
     return out2 > reach * reach;
   };
-  return !beyond_box(world_from_a.rotation, a.half, b.radius + distance) &&
-         !beyond_box(world_from_b.rotation, b.half, a.radius + distance);
+  if (beyond_box(world_from_a.rotation, a.half, b.radius + distance) ||
+      beyond_box(world_from_b.rotation, b.half, a.radius + distance))
+    return false;
+  // Large bulky things (an umbrella) fill little of their boxes.
+  const auto may_meet = [&](const PlanningPart& part, const RigidTransform& placed,
+                            const Vec3& centre, double reach) {
+    return part.mesh->data().sphere_may_meet((centre - placed.translation) * placed.rotation,
+                                             reach);
+  };
+  return may_meet(a, world_from_a, centre_b, b.radius + distance) &&
+         may_meet(b, world_from_b, centre_a, a.radius + distance);
 }
 
 bool LimbPlanningSpace::Data::near(int number, const FrameTracks::Cell& cell,
@@ -189,6 +144,23 @@ bool LimbPlanningSpace::Data::near(int number, const FrameTracks::Cell& cell,
   PatchFilter cross = pair.filter;
   cross.allowed = state.cross;
   return in_contact(a, b, a_from_b, more, cross, &state.cross_cache);
+}
+
+bool LimbPlanningSpace::Data::surely_clear(int number, const FrameTracks::Cell& cell,
+                                           const Segment& segment, double more) {
+  if (!bounds_near(number, cell, segment, more)) return true;
+  const auto k = static_cast<std::size_t>(number);
+  const Pair& pair = pairs[k];
+  const PairState& state = pair_states[k];
+  const CollisionMesh &a = *pieces[static_cast<std::size_t>(pair.a)].mesh,
+                      &b = *pieces[static_cast<std::size_t>(pair.b)].mesh;
+  const RigidTransform a_from_b =
+      inverse(place(cell, segment, pair.a)) * place(cell, segment, pair.b);
+  if (!surely_farther(a, b, a_from_b, state.distance + more, pair.filter)) return false;
+  if (!state.near_only) return true;
+  PatchFilter cross = pair.filter;
+  cross.allowed = state.cross;
+  return surely_farther(a, b, a_from_b, more, cross);
 }
 
 bool LimbPlanningSpace::Data::touches(int number, const FrameTracks::Cell& cell,
@@ -243,6 +215,7 @@ LimbPlanningSpace::LimbPlanningSpace(const SceneCollision& scene, int limb, doub
   d.tracks =
       std::make_unique<FrameTracks>(d.world, std::move(nodes), std::move(locals), t_init, t_goal);
   d.placed.resize(d.pieces.size());
+  d.moving_centre.resize(d.pieces.size());
   d.is_placed.assign(d.pieces.size(), 0);
   d.reachable.resize(d.tracks->row_count());
   d.reach_known.assign(d.tracks->row_count(), 0);
@@ -268,13 +241,7 @@ bool LimbPlanningSpace::valid(const Configuration& c) {
   d.place_chain(cell, c, false);
   for (const int pair : d.recent)
     if (pair >= 0 && d.in_segment(pair, segment) && d.touches(pair, cell, segment)) return false;
-  const auto& reachable = d.reachable[cell.row];
-  for (const auto& with : segment.pair_with)
-    for (const std::uint32_t s : reachable)
-      if (with[s] >= 0 && d.touches(with[s], cell, segment)) return false;
-  for (const int pair : segment.inner_pairs)
-    if (d.touches(pair, cell, segment)) return false;
-  return true;
+  return d.clear_of_still(cell, segment) && d.clear_of_itself(cell, segment);
 }
 
 void LimbPlanningSpace::metric_points(const Configuration& c, std::vector<Vec3>& points) {

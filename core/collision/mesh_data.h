@@ -30,6 +30,7 @@ struct CollisionMesh::Data {
   std::vector<ComponentPlace> places;   // one a component
   std::vector<glm::vec3> loop_middles;  // one a loop
   bool can_enclose = false;             // some component encloses
+  std::vector<BoxPack> enclosing;       // boxes of components that do, relative to tree.origin
   bool was_refit = false;               // it may be again: ray scenes are short-lived
   glm::vec3 low{0.0f}, high{0.0f};      // box of all components, in the mesh's frame
 
@@ -48,6 +49,10 @@ struct CollisionMesh::Data {
     const Topology::CapTriangle& cap = topology.caps[c];
     return {Vec3(positions[cap.a]), Vec3(positions[cap.b]), Vec3(loop_middles[cap.loop])};
   }
+
+  // False if nothing in a sphere (the mesh's frame) can touch the surface, by the boxes of the
+  // tree's root, nor be inside, by those of enclosing components.
+  bool sphere_may_meet(const Vec3& centre, double radius) const;
 
   // Everything that depends on positions but not on topology.
   void place();

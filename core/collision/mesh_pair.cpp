@@ -159,10 +159,14 @@ struct Containment {
   Vec3 place;                  // a vertex of the inner one, in the outer mesh's frame
 };
 
-bool inside_box(const Vec3& p, const glm::vec3& low, const glm::vec3& high) {
+// Axis by axis: most are outside on the first.
+bool inside_box(const RigidTransform& t, const glm::vec3& point, const glm::vec3& low,
+                const glm::vec3& high) {
+  const Vec3 v(point);
   for (int k = 0; k < 3; ++k) {
-    if (!(p[k] >= static_cast<double>(low[k]) && p[k] <= static_cast<double>(high[k])))
-      return false;
+    const double p =
+        t.rotation[0][k] * v.x + t.rotation[1][k] * v.y + t.rotation[2][k] * v.z + t.translation[k];
+    if (!(p >= static_cast<double>(low[k]) && p <= static_cast<double>(high[k]))) return false;
   }
   return true;
 }
@@ -178,7 +182,7 @@ void find_containments(const Data& inner, const Data& outer, const RigidTransfor
   const glm::vec3 *low = nullptr, *high = nullptr;
   const auto held = [&](const ComponentPlace& place) {
     return std::all_of(std::begin(place.extreme), std::end(place.extreme), [&](std::uint32_t v) {
-      return inside_box(outer_from_inner * Vec3(inner.positions[v]), *low, *high);
+      return inside_box(outer_from_inner, inner.positions[v], *low, *high);
     });
   };
   for (std::uint32_t c = 0; c < inner.places.size(); ++c) {
@@ -209,12 +213,15 @@ void find_containments(const Data& inner, const Data& outer, const RigidTransfor
 // Calls `found(component of a, component of b, a's is the inner one, place in a's frame)` for each
 // containment that no crossing and no filter takes back, until it returns true.
 template <typename Found>
-bool for_containments(const Query& q, bool surfaces_may_cross, const Found& found) {
+bool for_containments(const Query& q, const Apart& apart, bool surfaces_may_cross,
+                      const Found& found) {
   if (!q.a.can_enclose && !q.b.can_enclose) return false;
   std::vector<Containment> containments;
   for (const bool a_is_inner : {true, false}) {
+    if (a_is_inner ? apart.a_outside_b : apart.b_outside_a) continue;
     const Data& inner = a_is_inner ? q.a : q.b;
     const Data& outer = a_is_inner ? q.b : q.a;
+    if (!outer.can_enclose) continue;
     const RigidTransform to_outer = a_is_inner ? inverse(q.a_from_b) : q.a_from_b;
     find_containments(inner, outer, to_outer, containments);
     for (const Containment& c : containments) {
@@ -250,12 +257,13 @@ bool in_contact(const CollisionMesh& a, const CollisionMesh& b, const RigidTrans
     if (visit_search(&again, cache->triangle_a, &cache->triangle_b, 1, true)) return true;
   }
   Search search(query, cache);
-  if (visit_close_pairs(query.a.tree, query.b.tree, a_from_b, query.distance, visit_search,
-                        &search)) {
+  Apart apart;
+  if (visit_close_pairs(query.a.tree, query.b.tree, a_from_b, query.distance, visit_search, &search,
+                        &apart)) {
     return true;
   }
   // No contact was found, so only allowed pairs can cross.
-  return for_containments(query, filter.allowed != nullptr,
+  return for_containments(query, apart, filter.allowed != nullptr,
                           [](std::uint32_t, std::uint32_t, bool, const Vec3&) { return true; });
 }
 
@@ -288,7 +296,7 @@ void find_contacts(const CollisionMesh& a, const CollisionMesh& b, const RigidTr
     return x.triangle_a != y.triangle_a ? x.triangle_a < y.triangle_a : x.triangle_b < y.triangle_b;
   });
   for_containments(
-      query, true, [&](std::uint32_t ca, std::uint32_t cb, bool a_is_inner, const Vec3& place) {
+      query, {}, true, [&](std::uint32_t ca, std::uint32_t cb, bool a_is_inner, const Vec3& place) {
         const Data& inner = a_is_inner ? query.a : query.b;
         const Data& outer = a_is_inner ? query.b : query.a;
         const std::uint32_t component = a_is_inner ? ca : cb;

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: MIT
-// elbowroom_bench [--seeds N] [--problem NAME] [--range R] [--verbose]: our planner beside OMPL
-// RRTConnect + FCL.
+// elbowroom_bench [--seeds N] [--problem NAME] [--range R] [--ours] [--verbose]: our planner beside
+// OMPL RRTConnect + FCL; with --ours alone, for profiles and digests.
 //
 // One thread, one run, one seed a row's sample. Both sides get the same parts, pairs, placements,
 // limits, speed limits and, in the row "like for like", edge resolution and (no) clearance; the row
 // "as shipped" keeps the clearance and tests found paths more finely. "Truly free" is FCL's verdict
-// (OBBRSS, double) on the rigid parts every millisecond.
+// (OBBRSS, double) on the rigid parts every millisecond. Milliseconds are the thread's computing
+// time.
 #include <algorithm>
 #include <chrono>
+#include <cinttypes>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,6 +24,7 @@
 #include "core/planning/curve_fit.h"
 #include "core/planning/planner.h"
 #include "core/planning/smoothing.h"
+#include "cpu_clock.h"
 #include "peer.h"
 #include "problems.h"
 
@@ -30,6 +35,7 @@ struct Options {
   int seeds = 100;
   std::string problem;
   double range = 0.8;
+  bool ours = false;
   bool verbose = false;
 };
 
@@ -48,7 +54,22 @@ struct Row {
   std::vector<double> checks_curve, ms_curve;                            // all three included
   std::vector<double> acceleration, deviation;  // of the curve: peak, rad/s²; mean square, rad
   std::vector<double> peak_jump;  // of velocity, rad/s, at the smoothed path's corners and ends
+  std::uint64_t digest = 0;       // of all that was delivered: the same bytes, the same digest
 };
+
+void add_to(std::uint64_t& digest, double value) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
+  digest = (digest ^ bits) * 0x9e3779b97f4a7c15u;
+  digest ^= digest >> 29;
+}
+
+void add_to(std::uint64_t& digest, const std::vector<Configuration>& path) {
+  for (const Configuration& c : path) {
+    for (int i = 0; i < c.q.count; ++i) add_to(digest, c.q[i]);
+    add_to(digest, c.t);
+  }
+}
 
 bool truly_free(FclWorld& judge, double begin, double end,
                 const std::function<Dofs(double)>& motion) {
@@ -102,22 +123,30 @@ struct CheckCost {
 
 CheckCost check_cost(const std::vector<Configuration>& all,
                      const std::function<bool(const Configuration&)>& free) {
-  CheckCost cost;
   for (const Configuration& c : all) free(c);  // warms caches of all kinds
-  for (const Configuration& c : all) {
-    const auto start = std::chrono::steady_clock::now();
-    const bool is_free = free(c);
-    const double us =
-        std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
-    ++(is_free ? cost.free : cost.colliding);
-    (is_free ? cost.us_free : cost.us_colliding) += us;
+  // The quickest of a few rounds for each: others may work on the machine.
+  std::vector<double> us(all.size(), std::numeric_limits<double>::infinity());
+  std::vector<bool> is_free(all.size());
+  for (int round = 0; round < 9; ++round) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto start = std::chrono::steady_clock::now();
+      is_free[i] = free(all[i]);
+      us[i] = std::min(
+          us[i], std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start)
+                     .count());
+    }
+  }
+  CheckCost cost;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    ++(is_free[i] ? cost.free : cost.colliding);
+    (is_free[i] ? cost.us_free : cost.us_colliding) += us[i];
   }
   cost.us_free /= std::max(1, cost.free);
   cost.us_colliding /= std::max(1, cost.colliding);
   return cost;
 }
 
-void print_check_costs(const Problem& p) {
+void print_check_costs(const Problem& p, const Options& options) {
   const auto all = configurations_about_clip(p, 3000, 0.6);
   const auto line = [&](const char* name, const std::function<bool(const Configuration&)>& free) {
     const CheckCost cost = check_cost(all, free);
@@ -126,6 +155,7 @@ void print_check_costs(const Problem& p) {
   };
   const auto space = p.planning_space(0);
   line("ours", [&](const Configuration& c) { return space->valid(c); });
+  if (options.ours) return;
   const auto boxes = make_fcl_world(*space, BoxKind::obbrss_double);
   line("FCL OBBRSS double", [&](const Configuration& c) { return boxes->free(c); });
   const auto floats = make_fcl_world(*space, BoxKind::obb_float);
@@ -156,13 +186,15 @@ Row run_ours(const Problem& p, const std::string& name, double clearance, bool a
       settings.sampling.near_share = 0.25;
       question.reference = [&p](double t) { return p.track->at(t).q; };
     }
-    const PlannerResult found = plan(*world, question, settings);
+    double ms = 0, ms_smooth = 0, ms_curve = 0;
+    const PlannerResult found = timed(ms, [&] { return plan(*world, question, settings); });
     if (found.status != PlannerStatus::solved) continue;
     ++row.solved;
     SmoothingSettings smoothing;
     smoothing.seed = settings.seed;
     if (alike) smoothing.resolution = settings.resolution;
-    const SmoothingResult smooth = smooth_path(*world, found.path, smoothing);
+    const SmoothingResult smooth =
+        timed(ms_smooth, [&] { return smooth_path(*world, found.path, smoothing); });
     CurveQuery query;
     query.space = &p.space;
     query.path = smooth.path;
@@ -171,19 +203,25 @@ Row run_ours(const Problem& p, const std::string& name, double clearance, bool a
     query.reference = [&p](double t) { return p.track->at(t).q; };
     CurveSettings curve_settings;
     curve_settings.seed = settings.seed;
-    const CurveResult fitted = fit_curve(*world, query, curve_settings);
+    const CurveResult fitted =
+        timed(ms_curve, [&] { return fit_curve(*world, query, curve_settings); });
 
     double checks = static_cast<double>(found.stats.checks.validity_checks);
-    double ms = found.milliseconds;
     row.checks_first.push_back(checks);
     row.ms_first.push_back(ms);
     row.checks_smooth.push_back(checks += static_cast<double>(smooth.checks.validity_checks));
-    row.ms_smooth.push_back(ms += smooth.milliseconds);
+    row.ms_smooth.push_back(ms += ms_smooth);
     row.checks_curve.push_back(checks += static_cast<double>(fitted.checks.validity_checks));
-    row.ms_curve.push_back(ms += fitted.milliseconds);
-    row.first_free += path_free(judge, found.path);
-    row.smooth_free += path_free(judge, smooth.path);
+    row.ms_curve.push_back(ms += ms_curve);
+    add_to(row.digest, found.path);
+    add_to(row.digest, smooth.path);
+    for (const Dofs& q : fitted.curve.control)
+      for (int i = 0; i < q.count; ++i) add_to(row.digest, q[i]);
     row.peak_jump.push_back(velocity_jump(p, smooth.path));
+    if (!options.ours) {
+      row.first_free += path_free(judge, found.path);
+      row.smooth_free += path_free(judge, smooth.path);
+    }
     if (fitted.status != CurveStatus::solved && options.verbose) {
       std::printf("  %s, seed %d: %s\n", name.c_str(), seed, fitted.reason.c_str());
     }
@@ -197,8 +235,9 @@ Row run_ours(const Problem& p, const std::string& name, double clearance, bool a
         for (int d = 0; d < q.count; ++d) square += (q[d] - r[d]) * (q[d] - r[d]) / 501;
       }
       row.deviation.push_back(std::sqrt(square));
-      row.curves_free +=
-          truly_free(judge, p.begin, p.end, [&](double t) { return fitted.curve.value(t); });
+      row.curves_free += !options.ours && truly_free(judge, p.begin, p.end, [&](double t) {
+        return fitted.curve.value(t);
+      });
     }
   }
   return row;
@@ -269,6 +308,9 @@ void print(const std::vector<Row>& rows) {
         quantile(r.ms_curve, 0.5), quantile(r.ms_curve, 0.95), "", quantile(r.acceleration, 0.5),
         quantile(r.acceleration, 0.95), quantile(r.deviation, 0.5), quantile(r.deviation, 0.95));
   }
+  for (const Row& r : rows) {
+    if (r.digest) std::printf("  %-26s digest %016" PRIx64 "\n", r.name.c_str(), r.digest);
+  }
   const Row& ours = rows.front();
   for (const Row& r : rows) {
     if (!r.checks_curve.empty()) continue;
@@ -285,14 +327,15 @@ void print(const std::vector<Row>& rows) {
 
 int run(const Options& options) {
   bool failed = false;
-  for (auto& entry : problems()) {
+  for (const std::string& name : problem_names()) {
+    if (!options.problem.empty() && name != options.problem) continue;
+    const auto entry = make_problem(name);
     if (!entry) {
       std::printf("%s\n\n", entry.error().message().c_str());
       failed = true;
       continue;
     }
     const Problem& p = *entry;
-    if (!options.problem.empty() && p.name != options.problem) continue;
     const auto space = p.planning_space(0);
     std::printf(
         "%s: %s\n  window %.3f to %.3f s, %d DOFs, %zu parts, %zu pairs, %zu triangles of "
@@ -312,12 +355,14 @@ int run(const Options& options) {
     const double clearance = p.scene->settings().clearance * p.scene->height();
     std::vector<Row> rows;
     std::printf("  the clip's own peak acceleration is %.1f rad/s2\n", clip_acceleration(p));
-    print_check_costs(p);
+    print_check_costs(p, options);
     rows.push_back(run_ours(p, "ours, like for like", 0, true, *judge, options));
     rows.push_back(run_ours(p, "ours, as shipped", clearance, false, *judge, options));
-    rows.push_back(
-        run_theirs(p, "OMPL + FCL OBBRSS double", BoxKind::obbrss_double, *judge, options));
-    rows.push_back(run_theirs(p, "OMPL + FCL OBB float", BoxKind::obb_float, *judge, options));
+    if (!options.ours) {
+      rows.push_back(
+          run_theirs(p, "OMPL + FCL OBBRSS double", BoxKind::obbrss_double, *judge, options));
+      rows.push_back(run_theirs(p, "OMPL + FCL OBB float", BoxKind::obb_float, *judge, options));
+    }
     print(rows);
     std::fflush(stdout);
   }
@@ -337,11 +382,14 @@ int main(int argc, char** argv) {
       options.problem = argv[++i];
     } else if (more && std::strcmp(argv[i], "--range") == 0) {
       options.range = std::atof(argv[++i]);
+    } else if (std::strcmp(argv[i], "--ours") == 0) {
+      options.ours = true;
     } else if (std::strcmp(argv[i], "--verbose") == 0) {
       options.verbose = true;
     } else {
       std::fprintf(stderr,
-                   "usage: elbowroom_bench [--seeds N] [--problem NAME] [--range R] [--verbose]\n");
+                   "usage: elbowroom_bench [--seeds N] [--problem NAME] [--range R] [--ours] "
+                   "[--verbose]\n");
       return 1;
     }
   }

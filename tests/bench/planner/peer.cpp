@@ -11,8 +11,9 @@
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
-#include <chrono>
 #include <cmath>
+
+#include "cpu_clock.h"
 
 namespace elbowroom::bench {
 namespace {
@@ -112,11 +113,6 @@ std::vector<Configuration> configurations_of(const og::PathGeometric& path, int 
   return all;
 }
 
-double ms_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-      .count();
-}
-
 }  // namespace
 
 PeerRun run_peer(const Problem& problem, FclWorld& world, const PeerSettings& settings) {
@@ -160,21 +156,21 @@ PeerRun run_peer(const Problem& problem, FclWorld& world, const PeerSettings& se
   planner.setup();
 
   PeerRun run;
-  auto begin = std::chrono::steady_clock::now();
+  double begin = cpu_milliseconds();
   const ob::PlannerStatus status =
       planner.solve(ob::timedPlannerTerminationCondition(settings.max_seconds));
-  run.ms_plan = ms_since(begin);
+  run.ms_plan = cpu_milliseconds() - begin;
   run.checks_plan = checker->checks;
   run.solved = status == ob::PlannerStatus::EXACT_SOLUTION;
   if (!run.solved) return run;
 
   auto path = *definition->getSolutionPath()->as<og::PathGeometric>();
   run.first = configurations_of(path, dofs);
-  begin = std::chrono::steady_clock::now();
+  begin = cpu_milliseconds();
   og::PathSimplifier simplifier(si);
   simplifier.shortcutPath(path, static_cast<unsigned>(settings.shortcuts),
                           static_cast<unsigned>(settings.shortcuts), 0.33, 0.005);
-  run.ms_smooth = ms_since(begin);
+  run.ms_smooth = cpu_milliseconds() - begin;
   run.checks_smooth = checker->checks - run.checks_plan;
   run.smooth = configurations_of(path, dofs);
   return run;

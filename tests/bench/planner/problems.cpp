@@ -175,36 +175,39 @@ std::unique_ptr<LimbPlanningSpace> Problem::planning_space(double clearance) con
   return std::make_unique<LimbPlanningSpace>(*scene, limb, begin, end, at_init, at_goal, settings);
 }
 
-std::vector<Result<Problem>> problems() {
-  std::vector<Result<Problem>> all;
-  all.push_back(make("demo", "the demo scene: an umbrella between two posts", true, nullptr));
-  all.push_back(make("slalom", "eight thin posts (radius 8 mm), four on each side of the way",
-                     false, [](World& world) {
-                       std::vector<test::SimpleMesh> posts;
-                       for (int i = 0; i < 8; ++i) {
-                         const double x = i % 2 == 0 ? -0.62 : 0.52;
-                         posts.push_back(test::upright_post(x, -1.4 + 0.4 * i, 0.008, 0.0, 2.4));
-                       }
-                       world.actors.push_back(obstacle("thin posts", posts));
-                     }));
-  all.push_back(make(
-      "balls", "the demo's posts, and two balls that fly at the hand, from ahead and from a side",
-      true, [](World& world) {
-        const Clip& clip = *world.actors.front().clip;
-        const test::Shape shape = test::sphere_shape(0.12f, 24, 48);
-        const test::SimpleMesh ball{shape.positions, shape.triangles};
-        const auto fly = [&](const std::string& name, double share, const Vec3& velocity) {
-          const double meets = clip.begin + share * (clip.end - clip.begin);
-          const Vec3 hand = joint_place(world, demo::kAttachJoint, meets);
-          world.actors.push_back(
-              obstacle(name, {ball},
-                       {{static_cast<float>(clip.begin), hand + (clip.begin - meets) * velocity},
-                        {static_cast<float>(clip.end), hand + (clip.end - meets) * velocity}}));
-        };
-        fly("ball from ahead", 0.32, Vec3(0.3, -0.1, -1.2));
-        fly("ball from the side", 0.62, Vec3(1.3, 0.1, 0.4));
-      }));
-  return all;
+std::vector<std::string> problem_names() { return {"demo", "slalom", "balls"}; }
+
+Result<Problem> make_problem(const std::string& name) {
+  if (name == "demo")
+    return make(name, "the demo scene: an umbrella between two posts", true, nullptr);
+  if (name == "slalom")
+    return make(name, "eight thin posts (radius 8 mm), four on each side of the way", false,
+                [](World& world) {
+                  std::vector<test::SimpleMesh> posts;
+                  for (int i = 0; i < 8; ++i) {
+                    const double x = i % 2 == 0 ? -0.62 : 0.52;
+                    posts.push_back(test::upright_post(x, -1.4 + 0.4 * i, 0.008, 0.0, 2.4));
+                  }
+                  world.actors.push_back(obstacle("thin posts", posts));
+                });
+  if (name != "balls") return Error{"there is no such problem", name, "demo, slalom or balls"};
+  return make(name,
+              "the demo's posts, and two balls that fly at the hand, from ahead and from a side",
+              true, [](World& world) {
+                const Clip& clip = *world.actors.front().clip;
+                const test::Shape shape = test::sphere_shape(0.12f, 24, 48);
+                const test::SimpleMesh ball{shape.positions, shape.triangles};
+                const auto fly = [&](const std::string& name, double share, const Vec3& velocity) {
+                  const double meets = clip.begin + share * (clip.end - clip.begin);
+                  const Vec3 hand = joint_place(world, demo::kAttachJoint, meets);
+                  world.actors.push_back(obstacle(
+                      name, {ball},
+                      {{static_cast<float>(clip.begin), hand + (clip.begin - meets) * velocity},
+                       {static_cast<float>(clip.end), hand + (clip.end - meets) * velocity}}));
+                };
+                fly("ball from ahead", 0.32, Vec3(0.3, -0.1, -1.2));
+                fly("ball from the side", 0.62, Vec3(1.3, 0.1, 0.4));
+              });
 }
 
 }  // namespace elbowroom::bench

@@ -31,7 +31,10 @@ struct Problem {
   std::unique_ptr<LimbPlanningSpace> planning_space(double clearance) const;
 };
 
-// In a fixed order. An entry is an error where its scene can't be had.
-std::vector<Result<Problem>> problems();
+// Names, in a fixed order.
+std::vector<std::string> problem_names();
+
+// An error where its scene can't be had or there is no such problem.
+Result<Problem> make_problem(const std::string& name);
 
 }  // namespace elbowroom::bench

@@ -162,6 +162,54 @@ TEST(LimbPlanningSpace, PlacementsFollowTheClip) {
   }
 }
 
+// What culling leaves out is out of contact: every pair, asked one by one without any of it.
+void expect_no_pair_forgotten(const World& world, double clearance, int least_free) {
+  SceneCollision scene = scene_of(world);
+  LimbPlanningSpace space = space_of(scene, 0.1, 0.9, {clearance, 0.0});
+  Random random(21);
+  std::vector<RigidTransform> placed;
+  int free = 0;
+  for (int i = 0; i < 1500; ++i) {
+    const Configuration c = random_configuration(random, 0.1, 0.9);
+    const bool valid = space.valid(c);
+    free += valid;
+    space.placements(c, placed);
+    int strict = 0, allowed_too = 0;
+    for (const auto& pair : space.pairs()) {
+      const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
+      const CollisionMesh &mesh_a = *space.parts()[a].mesh, &mesh_b = *space.parts()[b].mesh;
+      const RigidTransform a_from_b = inverse(placed[a]) * placed[b];
+      strict += in_contact(mesh_a, mesh_b, a_from_b, clearance, pair.filter);
+      allowed_too += in_contact(mesh_a, mesh_b, a_from_b, clearance);
+    }
+    if (valid) {
+      EXPECT_EQ(strict, 0) << "configuration " << i;
+    } else {
+      EXPECT_GT(allowed_too, 0) << "configuration " << i;
+    }
+  }
+  EXPECT_GE(free, least_free);
+}
+
+TEST(LimbPlanningSpace, ForgetsNoPair) {
+  expect_no_pair_forgotten(post_world(), 0.0, 100);
+  expect_no_pair_forgotten(post_world(), 0.02, 100);
+}
+
+TEST(LimbPlanningSpace, SeesWhatIsInsideOfWhat) {
+  // A closed room about it all: no surface is near.
+  World room = post_world();
+  room.actors.push_back(actor("room.glb", make_object("Room", box_shape({4, 4, 4}))));
+  expect_no_pair_forgotten(room, 0.0, 0);
+  // A hall about a hand at a time, and small things that an arm may hold inside.
+  World hall = post_world();
+  hall.actors.push_back(
+      actor("hall.glb", make_object("Hall", box_shape({0.2f, 0.2f, 0.2f})), Vec3(0.45, 1.0, 0.2)));
+  hall.actors.push_back(actor("bead.glb", make_object("Bead", box_shape({0.002f, 0.002f, 0.002f})),
+                              Vec3(0.3, 1.3, 0.15)));
+  expect_no_pair_forgotten(hall, 0.0, 20);
+}
+
 TEST(LimbPlanningSpace, SameAnswersInAnyOrder) {
   SceneCollision scene = scene_of(post_world());
   LimbPlanningSpace one = space_of(scene, 0.1, 0.9), other = space_of(scene, 0.1, 0.9);
