@@ -172,6 +172,13 @@ std::vector<Action> make_actions() {
        {},
        false});
   add({"View",
+       "Interface at 100 %",
+       ctrl('0'),
+       {},
+       [](State, ViewState& view, Commands&) { view.scale = 1; },
+       {},
+       false});
+  add({"View",
        "Mouse as in Maya",
        {},
        {},
@@ -236,6 +243,21 @@ std::vector<Action> make_actions() {
        key(Shortcut::del),
        [](State s, View) { return s.candidate.has_value(); },
        emit(Discard{}),
+       {},
+       false});
+  const auto several_ways = [](State s, View) { return s.candidate && s.ways.size() > 1; };
+  add({"Plan",
+       "Earlier way around",
+       key(Shortcut::page_up),
+       several_ways,
+       [](State s, ViewState&, Commands& commands) { commands.emplace_back(ShowWay{s.way - 1}); },
+       {},
+       false});
+  add({"Plan",
+       "Later way around",
+       key(Shortcut::page_down),
+       several_ways,
+       [](State s, ViewState&, Commands& commands) { commands.emplace_back(ShowWay{s.way + 1}); },
        {},
        false});
   add({"Plan",

@@ -53,6 +53,7 @@ struct ViewState {
   InspectorTab tab = InspectorTab::limb;
   GizmoMode gizmo_mode = GizmoMode::translate;
   GizmoSpace gizmo_space = GizmoSpace::world;
+  Vec3 turns{0.0};              // degrees, the hand target's orientation as its fields show it
   bool placing_target = false;  // the next click on a surface puts the hand target there
 
   // Shares of the window that the panels take.

@@ -487,6 +487,8 @@ void Editor::handle(const Command& command) {
                [&](Document& changed) { changed.draft.target = target; });
         } else if constexpr (std::is_same_v<T, cmd::TargetFromPosture>) {
           target_from_posture();
+        } else if constexpr (std::is_same_v<T, cmd::KeepOrientation>) {
+          keep_orientation(c.keep);
         } else if constexpr (std::is_same_v<T, cmd::Click>) {
           click(c);
         } else if constexpr (std::is_same_v<T, cmd::Quit>) {

@@ -122,6 +122,7 @@ class Editor {
   HandTarget target_on(const SurfacePoint& point, const LimbModel& limb,
                        const ActorState& figure) const;
   void target_from_posture();
+  void keep_orientation(bool keep);
 
   struct Running {
     std::stop_source stop{std::nostopstate};

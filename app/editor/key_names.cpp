@@ -84,7 +84,8 @@ void press_keys(const Ui& ui, const EditorState& state, ViewState& view, Command
     Shortcut pressed = shortcut_of_glfw(key);
     if (pressed.key == Shortcut::none || ui.has_keys(key)) continue;
     pressed.ctrl = io.KeyCtrl;
-    pressed.shift = io.KeyShift;
+    // A plus is typed with the shift key on some keyboards, without on others and on the keypad.
+    pressed.shift = io.KeyShift && pressed.key != '+';
     pressed.alt = io.KeyAlt;
     pressed.repeats = !ImGui::IsKeyPressed(key, false);
     press(pressed, state, view, commands);

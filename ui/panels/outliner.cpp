@@ -64,13 +64,22 @@ void object_menu(const PanelContext& context, const std::filesystem::path& file,
   end_popup(context.ui);
 }
 
+// "right hand" for what hangs on the end of an arm, else the joint's own name.
+std::string holder_of(const EditorState& state, const std::string& joint) {
+  const auto& joints = state.session->scene.model().skeleton.joints;
+  for (const LimbModel& limb : state.session->limbs)
+    if (limb.limb.is_arm() && joints[static_cast<std::size_t>(limb.limb.end)].name == joint)
+      return limb.limb.is_left() ? "left hand" : "right hand";
+  return joint;
+}
+
 void draw_object(const PanelContext& context, int number, const std::filesystem::path& file,
                  const std::string& held_by) {
   const auto scope = context.ui.scope(number);
   RowOptions row;
   row.indent = 1;
   row.icon = Icon::none;
-  const std::string right = held_by.empty() ? "obstacle" : "held, " + held_by;
+  const std::string right = held_by.empty() ? "obstacle" : holder_of(context.state, held_by);
   row.right = right;
   row.hint = "Right click to put it into a hand or to take it out of the scene";
   if (list_row(context.ui, file.stem().string(), row).context) ImGui::OpenPopup("object");

@@ -289,7 +289,7 @@ void draw_timeline(const PanelContext& context, const Rect& rect) {
   Ui& ui = context.ui;
   const Panel panel(ui, "Timeline", rect, {PanelGround::panel, false, false});
   if (!context.state.open()) return;
-  const float bar = ui.px(40);
+  const float bar = ui.px(kTransportHeight);
   transport(context, {rect.min, {rect.max.x, rect.min.y + bar}});
   if (!context.state.source) {
     ImGui::SetCursorScreenPos({rect.min.x + ui.px(12), rect.min.y + bar});

@@ -301,6 +301,64 @@ TEST_F(Panels, TargetTab) {
   EXPECT_EQ(state().target.status, TargetView::Status::none);
 }
 
+// Typed or dragged, beyond ±90° too: the other fields stay, and so does the one that is edited.
+TEST_F(Panels, TurnFieldsNeverMoveEachOther) {
+  driver().handle(SelectLimb{arm});
+  ui().click("Tabs/Target");
+  ui().click("Target here");
+  ui().frame(2);
+  const std::vector<std::string> names = {"Turn X", "Turn Y", "Turn Z"};
+  const auto shown = [&] {
+    std::vector<std::string> values;
+    for (const auto& name : names) values.push_back(ui().value(name));
+    return values;
+  };
+  const auto expect_others_stay = [&](std::size_t edited, const std::vector<std::string>& before) {
+    const auto after = shown();
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (i != edited) {
+        EXPECT_EQ(after[i], before[i]) << names[i] << " moved with " << names[edited];
+      }
+  };
+  for (const char* typed : {"150", "-120", "90", "271", "-400", "12.5"})
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const auto before = shown();
+      ui().double_click(names[i]);
+      ui().frame(2);
+      ui().type(typed);
+      ui().key(keys::kEnter);
+      ui().frame(2);
+      EXPECT_EQ(*typed_number(ui().value(names[i])), *typed_number(typed)) << names[i];
+      expect_others_stay(i, before);
+    }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto before = shown();
+    const double from = *typed_number(before[i]);
+    ui().hold({.control = true});  // faster: a degree a pixel
+    expect_one_step([&] { ui().drag(names[i], {170, 0}, 40); }, names[i].c_str());
+    ui().hold({});
+    ui().frame(2);
+    EXPECT_GT(*typed_number(ui().value(names[i])), from + 90);
+    expect_others_stay(i, before);
+    ui().wait(1);
+    expect_no_step([&] { drag_and_escape(names[i], {60, 0}); }, "Esc");
+    ui().frame(2);
+    expect_others_stay(i, before);
+  }
+  // Off and on again: the hand's own orientation, as when the target was made.
+  const Quat made = *[&] {
+    driver().handle(TargetFromPosture{});
+    return draft().target->orientation;
+  }();
+  ui().frame(2);
+  ui().click("Keep the hand's orientation");
+  EXPECT_FALSE(draft().target->orientation.has_value());
+  ui().frame(2);
+  expect_one_step([&] { ui().click("Keep the hand's orientation"); }, "keep");
+  ASSERT_TRUE(draft().target->orientation.has_value());
+  EXPECT_NEAR(std::abs(glm::dot(*draft().target->orientation, made)), 1, 1e-12);
+}
+
 // The hand target by its gizmo in the picture: the drag is one step, Esc takes it back.
 TEST_F(Panels, GizmoDrag) {
   driver().handle(SelectLimb{arm});
