@@ -100,6 +100,20 @@ std::vector<Action> make_actions() {
        {},
        false});
 
+  add({"Edit",
+       "Rename correction",
+       key(Shortcut::f2),
+       [](State s, View) {
+         return s.selected_correction >= 0 &&
+                s.selected_correction < static_cast<int>(s.document->corrections.size());
+       },
+       [](State s, ViewState& view, Commands&) {
+         const int index = s.selected_correction;
+         view.rename = {index, s.document->corrections[static_cast<std::size_t>(index)].name, true};
+       },
+       {},
+       true});
+
   add({"View",
        "Frame selection",
        key('F'),
@@ -376,6 +390,8 @@ std::string shortcut_text(const Shortcut& shortcut) {
       return text + "Del";
     case Shortcut::f1:
       return text + "F1";
+    case Shortcut::f2:
+      return text + "F2";
     default:
       return text + static_cast<char>(shortcut.key);
   }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "app/commands.h"
 #include "app/delivery.h"
 #include "app/exit_codes.h"
@@ -34,10 +36,17 @@ int run_solve(const SolveOptions& options, std::stop_token stop) {
     return any;
   };
 
+  const auto of_others =
+      std::count_if(document->tasks.begin(), document->tasks.end(),
+                    [&](const Task& task) { return !session->is_of_clip(task.clip); });
+  if (of_others > 0)
+    print_warnings({std::to_string(of_others) + (of_others == 1 ? " task" : " tasks") +
+                    " of other clips passed over; this is " + session->clip_name()});
+
   CorrectionOutcome whole;
   whole.clip = session->clip();
   for (const auto& task : document->tasks) {
-    if (muted(task)) continue;
+    if (muted(task) || !session->is_of_clip(task.clip)) continue;
     auto outcome = solve_task(*scene, *session, task, stop, progress);  // on the last one's clip
     if (!outcome) return refuse(outcome.error(), options.report);
     for (const auto& contact : outcome->before) whole.before.push_back(contact);

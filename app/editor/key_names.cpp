@@ -55,6 +55,9 @@ Shortcut shortcut_of_glfw(int key) {
     case GLFW_KEY_F1:
       shortcut.key = Shortcut::f1;
       break;
+    case GLFW_KEY_F2:
+      shortcut.key = Shortcut::f2;
+      break;
     case GLFW_KEY_SLASH:
       shortcut.key = '/';
       break;

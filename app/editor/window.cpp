@@ -117,7 +117,7 @@ class EditorWindow {
       : window_(window),
         gui_(window),
         renderer_(std::move(renderer)),
-        editor_([] { glfwPostEmptyEvent(); }) {
+        editor_([] { glfwPostEmptyEvent(); }, recovery_folder()) {
     editor_.view() = settings.view;
     editor_.recent_files() = settings.recent_files;
     restyle();
@@ -135,6 +135,8 @@ class EditorWindow {
         glfwWaitEventsTimeout(kWorkingWait);
       else if (const auto finer = quality_.redraw_at())
         glfwWaitEventsTimeout(std::max(1e-3, *finer - glfwGetTime()));
+      else if (const auto wake = editor_.wakes_at())
+        glfwWaitEventsTimeout(std::max(1e-3, *wake - glfwGetTime()));
       else
         glfwWaitEvents();
       const double start = glfwGetTime();
@@ -381,6 +383,7 @@ Status run_editor(const WindowOptions& options) {
     window.editor().handle(command::OpenDemo{});
   else
     window.editor().handle(command::OpenFiles{options.files});
+  window.editor().offer_lost_work();
   window.run(input, log.is_open() ? &log : nullptr, options.widget_log);
 
   settings.view = window.editor().view();

@@ -7,7 +7,7 @@
 namespace elbowroom {
 namespace {
 
-constexpr float kRuler = 26, kLeastRow = 18, kLeastMarks = 22, kLeastCurves = 26;
+constexpr float kRuler = 26, kLeastRow = 18, kLeastMarks = 22, kLeastCurves = 28;
 
 }  // namespace
 
