@@ -32,6 +32,7 @@ constexpr double kWorkingWait = 0.1;         // s, between frames that only show
 constexpr double kStillWhileWorking = 0.06;  // s, that a picture at rest may take meanwhile
 constexpr double kFrame = 0.032;             // s, that a frame may take while something moves
 constexpr double kLeastPicture = 0.008;      // s, of that for the picture, however slow the panels
+constexpr float kAlways = 1e6f;              // s
 constexpr int kLeastWidth = 800, kLeastHeight = 560;
 
 std::string last_glfw_error;
@@ -223,6 +224,8 @@ class EditorWindow {
       io.KeyAlt |= (key.modifiers & GLFW_MOD_ALT) != 0;
     }
     const MouseQueue::Shown& mouse = input.mouse.next();
+    // Dear ImGui would go by when frames show the presses; what they are is known better here.
+    io.MouseDoubleClickTime = mouse.doubled ? kAlways : 0.0f;
     for (int i = 0; i < MouseQueue::kButtons; ++i)
       io.MouseDown[i] = mouse.down[static_cast<std::size_t>(i)];
     // Where the mouse is elsewhere the backend says so, and knows best.
