@@ -44,6 +44,18 @@ Status check_tasks(const Session& session, const SceneCollision& scene,
   return Done{};
 }
 
+// Those of the clip that is played; says how many others are passed over.
+std::vector<Task> tasks_of_clip(const Session& session, const std::vector<Task>& tasks) {
+  std::vector<Task> own;
+  for (const Task& task : tasks)
+    if (session.is_of_clip(task.clip)) own.push_back(task);
+  const std::size_t others = tasks.size() - own.size();
+  if (others > 0)
+    print_warnings({std::to_string(others) + (others == 1 ? " task" : " tasks") +
+                    " of other clips passed over; this is " + session.clip_name()});
+  return own;
+}
+
 }  // namespace
 
 int run_planning(const PlanningRun& run, Interruption& interruption) {
@@ -65,13 +77,14 @@ int run_planning(const PlanningRun& run, Interruption& interruption) {
   auto session = open_session(run.document, limbs);
   if (!session) return refused(session.error());
   print_warnings(session->warnings);
-  for (const std::string& limb : limbs)
-    if (const auto found = limbs_named(*session, limb); !found) return refused(found.error());
+  const std::vector<Task> tasks = tasks_of_clip(*session, run.tasks);
+  for (const Task& task : tasks)
+    if (const auto found = limbs_named(*session, task.limb); !found) return refused(found.error());
   const ProgressSink progress = terminal_progress();
   if (progress) progress({"looking at the scene", -1});
   auto scene = contacts_of(*session, interruption.token());
   if (!scene) return refused(scene.error());
-  if (Status sound = check_tasks(*session, *scene, run.tasks); !sound) {
+  if (Status sound = check_tasks(*session, *scene, tasks); !sound) {
     if (!run.typed) return refused(sound.error());
     print_error(sound.error());
     return kExitUsage;
@@ -79,12 +92,15 @@ int run_planning(const PlanningRun& run, Interruption& interruption) {
 
   std::shared_ptr<const Clip> start = session->clip();
   if (run.over_corrections && !run.document.corrections.empty()) {
-    auto laid = lay_over(session->scene.model().skeleton, *start, run.document.corrections);
+    std::vector<Correction> own;
+    for (const Correction& correction : run.document.corrections)
+      if (session->is_of_clip(correction.clip)) own.push_back(correction);
+    auto laid = lay_over(session->scene.model().skeleton, *start, own);
     if (!laid) return refused(laid.error());
     start = std::make_shared<const Clip>(std::move(*laid));
     scene->set_clip(start);
   }
-  const auto outcome = solve_tasks(*scene, *session, run.tasks, interruption.token(), progress);
+  const auto outcome = solve_tasks(*scene, *session, tasks, interruption.token(), progress);
   if (!outcome) return refused(outcome.error());
   const Document document = with_outcome(run, *outcome);
   return deliver({*session, *scene, *outcome, start, run.outputs, document, run.project}, files,

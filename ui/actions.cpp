@@ -100,6 +100,20 @@ std::vector<Action> make_actions() {
        {},
        false});
 
+  add({"Edit",
+       "Rename correction",
+       key(Shortcut::f2),
+       [](State s, View) {
+         return s.selected_correction >= 0 &&
+                s.selected_correction < static_cast<int>(s.document->corrections.size());
+       },
+       [](State s, ViewState& view, Commands&) {
+         const int index = s.selected_correction;
+         view.rename = {index, s.document->corrections[static_cast<std::size_t>(index)].name, true};
+       },
+       {},
+       true});
+
   add({"View",
        "Frame selection",
        key('F'),
@@ -172,6 +186,13 @@ std::vector<Action> make_actions() {
        {},
        false});
   add({"View",
+       "Interface at 100 %",
+       ctrl('0'),
+       {},
+       [](State, ViewState& view, Commands&) { view.scale = 1; },
+       {},
+       false});
+  add({"View",
        "Mouse as in Maya",
        {},
        {},
@@ -236,6 +257,21 @@ std::vector<Action> make_actions() {
        key(Shortcut::del),
        [](State s, View) { return s.candidate.has_value(); },
        emit(Discard{}),
+       {},
+       false});
+  const auto several_ways = [](State s, View) { return s.candidate && s.ways.size() > 1; };
+  add({"Plan",
+       "Earlier way around",
+       key(Shortcut::page_up),
+       several_ways,
+       [](State s, ViewState&, Commands& commands) { commands.emplace_back(ShowWay{s.way - 1}); },
+       {},
+       false});
+  add({"Plan",
+       "Later way around",
+       key(Shortcut::page_down),
+       several_ways,
+       [](State s, ViewState&, Commands& commands) { commands.emplace_back(ShowWay{s.way + 1}); },
        {},
        false});
   add({"Plan",
@@ -354,6 +390,8 @@ std::string shortcut_text(const Shortcut& shortcut) {
       return text + "Del";
     case Shortcut::f1:
       return text + "F1";
+    case Shortcut::f2:
+      return text + "F2";
     default:
       return text + static_cast<char>(shortcut.key);
   }

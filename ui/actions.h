@@ -31,7 +31,8 @@ struct Shortcut {
     page_up,
     page_down,
     del,
-    f1
+    f1,
+    f2
   };
   int key = none;
   bool ctrl = false, shift = false, alt = false;

@@ -29,6 +29,10 @@ struct OpenDemo {};
 struct AnswerOpening {
   bool open = false;  // else what is open stays
 };
+// What to do with unsaved work that a session before has left behind.
+struct AnswerRecovery {
+  enum class Answer { recover, discard, later } answer = Answer::later;
+};
 struct SaveProject {
   std::filesystem::path path;  // empty: where it was saved last
 };
@@ -132,6 +136,11 @@ struct SetTarget {
 // The selected limb's end where it is now.
 struct TargetFromPosture {};
 
+// The hand keeps the orientation that it has at the target's time in the motion, or turns freely.
+struct KeepOrientation {
+  bool keep = true;
+};
+
 // A click in the viewport: a ray in the world.
 struct Click {
   Vec3 origin{0.0}, direction{0.0, 0.0, -1.0};
@@ -145,15 +154,16 @@ struct Quit {
 }  // namespace command
 
 using Command = std::variant<
-    command::OpenFiles, command::OpenDemo, command::AnswerOpening, command::SaveProject,
-    command::Export, command::AttachObject, command::RemoveObject, command::ChooseClip,
-    command::Undo, command::Redo, command::Scrub, command::TogglePlay, command::ToggleLoop,
-    command::SetSpeed, command::StepFrames, command::GoToEnd, command::GoToProblem,
-    command::SelectLimb, command::SelectProblem, command::SetWindow, command::SetSampling,
-    command::ChoosePreset, command::SetWishes, command::Plan, command::CancelPlan, command::Accept,
-    command::Discard, command::ShowWay, command::SelectCorrection, command::MuteCorrection,
-    command::DeleteCorrection, command::RenameCorrection, command::ReplanCorrection,
-    command::SetTarget, command::TargetFromPosture, command::Click, command::Quit>;
+    command::OpenFiles, command::OpenDemo, command::AnswerOpening, command::AnswerRecovery,
+    command::SaveProject, command::Export, command::AttachObject, command::RemoveObject,
+    command::ChooseClip, command::Undo, command::Redo, command::Scrub, command::TogglePlay,
+    command::ToggleLoop, command::SetSpeed, command::StepFrames, command::GoToEnd,
+    command::GoToProblem, command::SelectLimb, command::SelectProblem, command::SetWindow,
+    command::SetSampling, command::ChoosePreset, command::SetWishes, command::Plan,
+    command::CancelPlan, command::Accept, command::Discard, command::ShowWay,
+    command::SelectCorrection, command::MuteCorrection, command::DeleteCorrection,
+    command::RenameCorrection, command::ReplanCorrection, command::SetTarget,
+    command::TargetFromPosture, command::KeepOrientation, command::Click, command::Quit>;
 
 using Commands = std::vector<Command>;
 

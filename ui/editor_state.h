@@ -49,6 +49,7 @@ struct DofView {
 
 // A correction of the document, and whether it still lies on the clip.
 struct CorrectionView {
+  bool of_this_clip = true;  // else it is kept for its own
   bool fits = true;
   std::string problem;  // when it doesn't: why, and what to do
 };
@@ -114,6 +115,12 @@ struct EditorState {
   int way = 0;                  // which
   std::optional<PlanFailure> failure;
   TargetView target;
+
+  // Unsaved work that was found and is asked about.
+  struct Lost {
+    std::string name, when;  // "mannequin", "26 Nov, 14:32"
+  };
+  std::optional<Lost> lost;
 
   JobState opening, scanning, planning, exporting;
   std::vector<Notice> notices;  // the last few, oldest first

@@ -14,7 +14,8 @@ namespace elbowroom {
 namespace {
 
 constexpr float kMenuHeight = 33, kStatusHeight = 25;  // pixels at 100 %
-constexpr float kLeastOutliner = 180, kLeastInspector = 270, kLeastTimeline = 170;
+constexpr float kLeastOutliner = 180, kLeastInspector = 270;
+constexpr int kMostRowsInSight = 6;  // of the timeline, before it scrolls
 
 }  // namespace
 
@@ -49,7 +50,10 @@ void EditorUi::draw(Ui& ui, const EditorState& state, ViewState& view, Commands&
   };
   const float left = share_of(view.outliner_share, ui.px(kLeastOutliner), width);
   const float right = share_of(view.inspector_share, ui.px(kLeastInspector), width);
-  const float timeline = share_of(view.timeline_share, ui.px(kLeastTimeline), height);
+  const int rows = state.session ? static_cast<int>(state.session->limbs.size()) : 0;
+  const float least_timeline =
+      kTransportHeight + least_timeline_height(std::min(rows, kMostRowsInSight));
+  const float timeline = share_of(view.timeline_share, ui.px(least_timeline), height);
   const float top = menu, bottom = height - status - timeline;
 
   // What the picture shows is what a framing of the view and the gizmo rest on.

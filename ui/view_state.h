@@ -34,6 +34,7 @@ enum class Dialog {
   shortcuts,
   discard,              // unsaved work, before the window closes
   discard_for_opening,  // and before something else is opened
+  recover,              // unsaved work of a session that did not end well
 };
 
 struct ViewState {
@@ -53,6 +54,12 @@ struct ViewState {
   InspectorTab tab = InspectorTab::limb;
   GizmoMode gizmo_mode = GizmoMode::translate;
   GizmoSpace gizmo_space = GizmoSpace::world;
+  Vec3 turns{0.0};  // degrees, the hand target's orientation as its fields show it
+  struct Rename {   // a correction's name that is being typed
+    int correction = -1;
+    std::string text;
+    bool begins = false;  // the field takes the keyboard
+  } rename;
   bool placing_target = false;  // the next click on a surface puts the hand target there
 
   // Shares of the window that the panels take.

@@ -55,10 +55,19 @@ bool usable_sampling(const LimbModel* limb, const command::SetSampling& wanted) 
 
 }  // namespace
 
-Editor::Editor(std::function<void()> wake)
-    : mailbox_(std::make_shared<Mailbox>(std::move(wake))),
+Editor::Editor(std::function<void()> wake, std::filesystem::path recovery)
+    : recovery_folder_(std::move(recovery)),
+      mailbox_(std::make_shared<Mailbox>(std::move(wake))),
       scene_work_(std::make_shared<SceneWork>()),
       target_work_(std::make_shared<TargetWork>()),
+      recovery_(recovery_folder_,
+                [this, mailbox = mailbox_](Error error) {
+                  mailbox->post([this, error = std::move(error)] {
+                    tell(Notice::Kind::warning,
+                         {"unsaved work can't be kept for recovery: " + error.what, error.where,
+                          "save often"});
+                  });
+                }),
       files_thread_(job_failure()),
       scene_thread_(job_failure()),
       target_thread_(job_failure()) {
@@ -173,14 +182,23 @@ void Editor::refresh() {
   if (session_ && state_.source) {
     if (shown_corrections_ != document.corrections || !state_.clip) {
       const auto changed = changed_between(shown_corrections_, document.corrections);
-      Motion motion =
-          motion_of(session_->scene.model().skeleton, state_.source, document.corrections);
+      // Those of other clips are kept, but lie over nothing here.
+      std::vector<Correction> own;
+      std::vector<std::size_t> places;
+      for (std::size_t i = 0; i < document.corrections.size(); ++i)
+        if (session_->is_of_clip(document.corrections[i].clip)) {
+          own.push_back(document.corrections[i]);
+          places.push_back(i);
+        }
+      Motion motion = motion_of(session_->scene.model().skeleton, state_.source, own);
       shown_corrections_ = document.corrections;
       if (state_.clip != motion.clip) state_.strip_is_current = false;
       state_.clip = motion.clip;
-      state_.corrections.clear();
-      for (const auto& problem : motion.problems)
-        state_.corrections.push_back({!problem, problem ? problem->message() : ""});
+      state_.corrections.assign(document.corrections.size(), {false, true, ""});
+      for (std::size_t i = 0; i < own.size(); ++i) {
+        const auto& problem = motion.problems[i];
+        state_.corrections[places[i]] = {true, !problem, problem ? problem->message() : ""};
+      }
       if (changed) {
         // What is planned on another motion is none of this one.
         state_.candidate.reset();
@@ -190,6 +208,9 @@ void Editor::refresh() {
     }
     state_.selected_correction =
         std::min(state_.selected_correction, static_cast<int>(document.corrections.size()) - 1);
+    if (state_.selected_correction >= 0 &&
+        !state_.corrections[static_cast<std::size_t>(state_.selected_correction)].of_this_clip)
+      state_.selected_correction = -1;
   }
   if (shown_target_ != document.draft.target || shown_limb_ != document.draft.limb ||
       shown_clip_ != state_.clip) {
@@ -266,6 +287,7 @@ bool Editor::update(double now) {
        {std::pair(&state_.opening, &opening_), std::pair(&state_.scanning, &scanning_),
         std::pair(&state_.planning, &planning_), std::pair(&state_.exporting, &exporting_)})
     if (job->active) job->seconds = now - running->began;
+  keep_unsaved_work();
   return std::exchange(changed_, false);
 }
 
@@ -363,6 +385,8 @@ void Editor::handle(const Command& command) {
         } else if constexpr (std::is_same_v<T, cmd::AnswerOpening>) {
           const auto pending = std::exchange(pending_opening_, nullptr);
           if (c.open && pending) pending();
+        } else if constexpr (std::is_same_v<T, cmd::AnswerRecovery>) {
+          answer_recovery(c.answer);
         } else if constexpr (std::is_same_v<T, cmd::SaveProject>) {
           save(c.path);
         } else if constexpr (std::is_same_v<T, cmd::Export>) {
@@ -487,13 +511,17 @@ void Editor::handle(const Command& command) {
                [&](Document& changed) { changed.draft.target = target; });
         } else if constexpr (std::is_same_v<T, cmd::TargetFromPosture>) {
           target_from_posture();
+        } else if constexpr (std::is_same_v<T, cmd::KeepOrientation>) {
+          keep_orientation(c.keep);
         } else if constexpr (std::is_same_v<T, cmd::Click>) {
           click(c);
         } else if constexpr (std::is_same_v<T, cmd::Quit>) {
-          if (state_.dirty && !c.discard)
+          if (state_.dirty && !c.discard) {
             view_.dialog = Dialog::discard;
-          else
+          } else {
             quitting_ = true;
+            recovery_.forget();
+          }
         }
       },
       command);

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "app/editor/background.h"
+#include "app/editor/recovery.h"
 #include "app/editor/scene_work.h"
 #include "app/editor/target_work.h"
 #include "core/collision/surface_picker.h"
@@ -30,8 +31,9 @@ namespace elbowroom {
 
 class Editor {
  public:
-  // `wake` is called from other threads when update() has something to take in.
-  explicit Editor(std::function<void()> wake = {});
+  // `wake` is called from other threads when update() has something to take in. Unsaved work is
+  // kept in `recovery` and beside projects (app/editor/recovery.h); nowhere if it is empty.
+  explicit Editor(std::function<void()> wake = {}, std::filesystem::path recovery = {});
   ~Editor();
   Editor(const Editor&) = delete;
   Editor& operator=(const Editor&) = delete;
@@ -46,6 +48,9 @@ class Editor {
     for (const Command& command : commands) handle(command);
   }
 
+  // Asks about unsaved work of a session that did not end well, if there is some.
+  void offer_lost_work();
+
   // Opens a document that is not in a file (the command line's scene, the demo).
   void open(Document document, std::filesystem::path project = {});
 
@@ -56,6 +61,8 @@ class Editor {
   // True while the picture changes by itself.
   bool moving() const { return state_.playing; }
   bool working() const;
+  // When update() has something to do without an event; none: nothing.
+  std::optional<double> wakes_at() const;
   // Another number whenever something that a picture shows may have changed.
   std::uint64_t picture_version() const { return state_.picture_version; }
   // A quit that has been asked for, and agreed to if something is unsaved.
@@ -105,6 +112,12 @@ class Editor {
   void export_to(const std::filesystem::path& path);
   void remember(const std::filesystem::path& path);
 
+  // editor_recovery.cpp
+  void keep_unsaved_work();
+  void offer(LostWork lost);
+  void answer_recovery(command::AnswerRecovery::Answer answer);
+  void recover(const LostWork& lost);
+
   // editor_plan.cpp
   void prepare_contacts();
   void rescan(const Interval& changed);
@@ -122,6 +135,7 @@ class Editor {
   HandTarget target_on(const SurfacePoint& point, const LimbModel& limb,
                        const ActorState& figure) const;
   void target_from_posture();
+  void keep_orientation(bool keep);
 
   struct Running {
     std::stop_source stop{std::nostopstate};
@@ -152,13 +166,19 @@ class Editor {
 
   // Another document that waits for an answer about unsaved work.
   std::function<void()> pending_opening_;
-  std::string replan_step_;  // the step that took a correction away to plan it anew
+  std::filesystem::path recovery_folder_;
+  std::optional<LostWork> lost_;         // that is asked about
+  std::optional<LostWork> coming_lost_;  // to be asked about when its project is open
+  std::optional<LostWork> recovering_;   // whose scene is being read
+  std::string replan_step_;              // the step that took a correction away to plan it anew
+  std::optional<Correction> replanned_;  // that correction
   std::optional<SceneDescription> coming_scene_;  // of the files being read
 
   Running opening_, scanning_, planning_, exporting_, targeting_;
   std::shared_ptr<Mailbox> mailbox_;
   std::shared_ptr<SceneWork> scene_work_;
   std::shared_ptr<TargetWork> target_work_;
+  Recovery recovery_;
   // Threads last: they end first.
   BackgroundThread files_thread_, scene_thread_, target_thread_;
 };

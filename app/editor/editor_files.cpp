@@ -2,6 +2,7 @@
 // Files in and out of the editor.
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 #include "app/demo_document.h"
 #include "app/editor/editor.h"
@@ -25,7 +26,8 @@ bool has_extension(const std::filesystem::path& path, const char* extension) {
 struct Opening {
   Document document;
   std::filesystem::path project;
-  bool fresh = true;  // another document, not a change of the one that is open
+  bool fresh = true;               // another document, not a change of the one that is open
+  std::optional<LostWork> lost{};  // unsaved work on the project
 };
 
 }  // namespace
@@ -60,59 +62,64 @@ void Editor::open_files(const std::vector<std::filesystem::path>& paths, bool as
   const Document current = coming_document();
   const bool has_scene = session_ != nullptr;
   as_objects = as_objects && has_scene;
-  opening_.stop =
-      files_thread_.run([this, paths, current, has_scene, as_objects, ticket = opening_.ticket,
-                         mailbox = mailbox_](const std::stop_token& stop) {
-        Opening opening;
-        std::optional<Error> error;
-        bool character = false;
-        std::vector<std::filesystem::path> objects;
-        for (const auto& path : paths) {
-          if (stop.stop_requested()) break;
-          if (!as_objects && has_extension(path, ".elbow")) {
-            auto document = read_project(path);
-            if (!document) {
-              error = document.error();
-              break;
-            }
-            opening.document = std::move(*document);
-            opening.project = path;
-            character = true;
-            continue;
-          }
-          ReadOptions options;
-          options.images = false;
-          const auto model = read_gltf(path, options);
-          if (!model) {
-            error = model.error();
-            break;
-          }
-          if (!as_objects && !(*model)->characters.empty() && !character) {
-            opening.document.scene.character = path;
-            character = true;
-          } else {
-            objects.push_back(path);
-          }
+  opening_.stop = files_thread_.run([this, paths, current, has_scene, as_objects, own = project_,
+                                     ticket = opening_.ticket,
+                                     mailbox = mailbox_](const std::stop_token& stop) {
+    Opening opening;
+    std::optional<Error> error;
+    bool character = false;
+    std::vector<std::filesystem::path> objects;
+    for (const auto& path : paths) {
+      if (stop.stop_requested()) break;
+      if (!as_objects && has_extension(path, ".elbow")) {
+        auto document = read_project(path);
+        if (!document) {
+          error = document.error();
+          break;
         }
-        if (!error && !character && !has_scene)
-          error = Error{"there is no character in what was opened", paths.front().string(),
-                        "open a glTF file with a skinned figure first, then objects to go with it"};
-        if (!character && has_scene) {
-          opening.document = current;
-          opening.fresh = false;
-        }
-        for (const auto& object : objects) opening.document.scene.obstacles.push_back(object);
-        mailbox->post([this, ticket, opening = std::move(opening), error] {
-          if (ticket != opening_.ticket) return;
-          state_.opening.active = false;
-          if (error)
-            tell(Notice::Kind::error, *error);
-          else if (opening.fresh)
-            open(opening.document, opening.project);
-          else
-            read_files(opening.document, opening.project, Why::change);
-        });
-      });
+        // What this session keeps of the project that is open is lost to nobody.
+        opening.lost = path == own ? std::nullopt : lost_beside(path, *document);
+        opening.document = std::move(*document);
+        opening.project = path;
+        character = true;
+        continue;
+      }
+      ReadOptions options;
+      options.images = false;
+      const auto model = read_gltf(path, options);
+      if (!model) {
+        error = model.error();
+        break;
+      }
+      if (!as_objects && !(*model)->characters.empty() && !character) {
+        opening.document.scene.character = path;
+        character = true;
+      } else {
+        objects.push_back(path);
+      }
+    }
+    if (!error && !character && !has_scene)
+      error = Error{"there is no character in what was opened", paths.front().string(),
+                    "open a glTF file with a skinned figure first, then objects to go with it"};
+    if (!character && has_scene) {
+      opening.document = current;
+      opening.fresh = false;
+    }
+    for (const auto& object : objects) opening.document.scene.obstacles.push_back(object);
+    mailbox->post([this, ticket, opening = std::move(opening), error] {
+      if (ticket != opening_.ticket) return;
+      state_.opening.active = false;
+      if (error) {
+        tell(Notice::Kind::error, *error);
+        return;
+      }
+      coming_lost_ = opening.lost;
+      if (opening.fresh)
+        open(opening.document, opening.project);
+      else
+        read_files(opening.document, opening.project, Why::change);
+    });
+  });
 }
 
 // The document with the scene that is being read, if one is: changes that follow build on it.
@@ -140,6 +147,7 @@ void Editor::read_files(Document document, std::filesystem::path project, Why wh
           const bool fresh = why == Why::fresh;
           if (!*session) {
             tell(Notice::Kind::error, session->error());
+            if (fresh) recovering_.reset();
             // What the document says again is what is open.
             if (!fresh && session_)
               edit("Keep the scene", Phase::committed,
@@ -171,14 +179,21 @@ void Editor::opened(Session session, std::filesystem::path project, bool fresh) 
   unseen_.reset();
   session_ = std::make_shared<const Session>(std::move(session));
   if (fresh) {
+    recovery_.forget();
     project_ = std::move(project);
     history_ = History(document);
     refreshed_revision_ = 0;
     view_.framed = false;
     remember(project_.empty() ? document.scene.character : project_);
   } else {
-    edit("Change scene", Phase::committed,
-         [&](Document& changed) { changed.scene = document.scene; });
+    const bool other_clip = history_.document().scene.clip != document.scene.clip;
+    edit(other_clip ? "Choose clip" : "Change scene", Phase::committed, [&](Document& changed) {
+      changed.scene = document.scene;
+      // What was being prepared is at times of the clip before.
+      if (!other_clip) return;
+      changed.draft.window.reset();
+      changed.draft.target.reset();
+    });
   }
   state_.candidate.reset();
   state_.failure.reset();
@@ -204,6 +219,11 @@ void Editor::opened(Session session, std::filesystem::path project, bool fresh) 
   refreshed_revision_ = history_.revision();
   prepare_contacts();
   changed_ = true;
+  if (!fresh) return;
+  const auto recovering = std::exchange(recovering_, std::nullopt);
+  if (recovering && recovering->document.scene == document.scene) recover(*recovering);
+  auto lost = std::exchange(coming_lost_, std::nullopt);
+  if (lost && lost->project == project_) offer(std::move(*lost));
 }
 
 // Undo and redo go through changes of the scene too.

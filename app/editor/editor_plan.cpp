@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <set>
+#include <utility>
 
 #include "app/editor/editor.h"
 
@@ -162,6 +163,7 @@ void Editor::plan() {
   // It may have been chosen on a longer clip.
   if (draft.window) draft.window = within_clip(*draft.window);
   Task task;
+  task.clip = session_->clip_id();
   task.limb = draft.limb;
   task.wishes = wishes();
   if (draft.target) {
@@ -262,17 +264,23 @@ void Editor::keep_replanned() {
     document_changed();
   }
   replan_step_.clear();
+  replanned_.reset();
 }
 
 void Editor::accept() {
   if (!state_.candidate) return;
   replan_step_.clear();
   const Candidate candidate = *state_.candidate;
+  // A name that somebody gave outlives the motion.
+  const auto replanned = std::exchange(replanned_, std::nullopt);
+  const bool named =
+      replanned && replanned->limb == candidate.task.limb && replanned->name != replanned->task;
   edit("Accept " + candidate.task.name, Phase::committed, [&](Document& document) {
     document.tasks.push_back(candidate.task);
     Correction correction = candidate.correction;
-    correction.name = candidate.task.name;
+    correction.name = named ? replanned->name : candidate.task.name;
     correction.task = candidate.task.name;
+    correction.clip = candidate.task.clip;
     document.corrections.push_back(std::move(correction));
     // What has been done is no draft any more; what is prepared for another limb stays.
     if (document.draft.limb == candidate.task.limb) {
@@ -291,7 +299,7 @@ void Editor::replan(int index) {
   const Document& document = history_.document();
   if (index < 0 || index >= static_cast<int>(document.corrections.size())) return;
   const Correction correction = document.corrections[static_cast<std::size_t>(index)];
-  if (limb_index(correction.limb) < 0) return;
+  if (limb_index(correction.limb) < 0 || !session_->is_of_clip(correction.clip)) return;
   std::optional<HandTarget> target;
   PlanningWishes wishes = correction.made_with;
   for (const Task& task : document.tasks)
@@ -312,6 +320,7 @@ void Editor::replan(int index) {
     changed.draft.wishes[correction.limb] = wishes;
   });
   replan_step_ = step;
+  replanned_ = correction;
   plan();
 }
 

@@ -44,6 +44,21 @@ void Editor::target_from_posture() {
        [&](Document& document) { document.draft.target = target; });
 }
 
+void Editor::keep_orientation(bool keep) {
+  const LimbModel* limb = state_.limb_model();
+  auto target = history_.document().draft.target;
+  if (!limb || !state_.clip || !target || target->orientation.has_value() == keep) return;
+  target->orientation.reset();
+  if (keep) {
+    std::vector<ActorState> states;
+    states_at(state_.clip, target->time, states);
+    target->orientation =
+        rotation_of(states.front().world_from_joint[static_cast<std::size_t>(limb->limb.end)]);
+  }
+  edit(keep ? "Keep the orientation" : "Free the orientation", Phase::committed,
+       [&](Document& document) { document.draft.target = target; });
+}
+
 // The palm on the surface if limits let it lie there, in any direction, else the wrist near it.
 HandTarget Editor::target_on(const SurfacePoint& point, const LimbModel& limb,
                              const ActorState& figure) const {

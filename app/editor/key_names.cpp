@@ -55,6 +55,9 @@ Shortcut shortcut_of_glfw(int key) {
     case GLFW_KEY_F1:
       shortcut.key = Shortcut::f1;
       break;
+    case GLFW_KEY_F2:
+      shortcut.key = Shortcut::f2;
+      break;
     case GLFW_KEY_SLASH:
       shortcut.key = '/';
       break;
@@ -84,7 +87,8 @@ void press_keys(const Ui& ui, const EditorState& state, ViewState& view, Command
     Shortcut pressed = shortcut_of_glfw(key);
     if (pressed.key == Shortcut::none || ui.has_keys(key)) continue;
     pressed.ctrl = io.KeyCtrl;
-    pressed.shift = io.KeyShift;
+    // A plus is typed with the shift key on some keyboards, without on others and on the keypad.
+    pressed.shift = io.KeyShift && pressed.key != '+';
     pressed.alt = io.KeyAlt;
     pressed.repeats = !ImGui::IsKeyPressed(key, false);
     press(pressed, state, view, commands);

@@ -10,13 +10,14 @@ void MouseQueue::moved(double x, double y) {
   events_.push_back({x, y});
 }
 
-void MouseQueue::button(int button, bool down, int modifiers) {
+void MouseQueue::button(int button, bool down, int modifiers, double time) {
   if (button < 0 || button >= kButtons) return;
-  events_.push_back({x_, y_, button, down, modifiers});
+  events_.push_back({x_, y_, button, down, modifiers, time});
 }
 
 const MouseQueue::Shown& MouseQueue::next() {
   shown_.modifiers = 0;
+  shown_.doubled = false;
   bool moved = false;
   while (!events_.empty()) {
     const Event event = events_.front();
@@ -30,7 +31,12 @@ const MouseQueue::Shown& MouseQueue::next() {
       shown_.y = event.y;
       if (down == event.down) continue;
       down = event.down;
-      if (event.down) shown_.modifiers = event.modifiers;
+      if (event.down) {
+        shown_.modifiers = event.modifiers;
+        double& before = pressed_at_[static_cast<std::size_t>(event.button)];
+        shown_.doubled = event.time - before < kDoubleClick;
+        before = shown_.doubled ? -1e9 : event.time;  // a third press begins anew
+      }
       break;
     }
     events_.pop_front();

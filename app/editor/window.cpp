@@ -32,6 +32,7 @@ constexpr double kWorkingWait = 0.1;         // s, between frames that only show
 constexpr double kStillWhileWorking = 0.06;  // s, that a picture at rest may take meanwhile
 constexpr double kFrame = 0.032;             // s, that a frame may take while something moves
 constexpr double kLeastPicture = 0.008;      // s, of that for the picture, however slow the panels
+constexpr float kAlways = 1e6f;              // s
 constexpr int kLeastWidth = 800, kLeastHeight = 560;
 
 std::string last_glfw_error;
@@ -117,7 +118,7 @@ class EditorWindow {
       : window_(window),
         gui_(window),
         renderer_(std::move(renderer)),
-        editor_([] { glfwPostEmptyEvent(); }) {
+        editor_([] { glfwPostEmptyEvent(); }, recovery_folder()) {
     editor_.view() = settings.view;
     editor_.recent_files() = settings.recent_files;
     restyle();
@@ -135,6 +136,8 @@ class EditorWindow {
         glfwWaitEventsTimeout(kWorkingWait);
       else if (const auto finer = quality_.redraw_at())
         glfwWaitEventsTimeout(std::max(1e-3, *finer - glfwGetTime()));
+      else if (const auto wake = editor_.wakes_at())
+        glfwWaitEventsTimeout(std::max(1e-3, *wake - glfwGetTime()));
       else
         glfwWaitEvents();
       const double start = glfwGetTime();
@@ -221,6 +224,8 @@ class EditorWindow {
       io.KeyAlt |= (key.modifiers & GLFW_MOD_ALT) != 0;
     }
     const MouseQueue::Shown& mouse = input.mouse.next();
+    // Dear ImGui would go by when frames show the presses; what they are is known better here.
+    io.MouseDoubleClickTime = mouse.doubled ? kAlways : 0.0f;
     for (int i = 0; i < MouseQueue::kButtons; ++i)
       io.MouseDown[i] = mouse.down[static_cast<std::size_t>(i)];
     // Where the mouse is elsewhere the backend says so, and knows best.
@@ -381,6 +386,7 @@ Status run_editor(const WindowOptions& options) {
     window.editor().handle(command::OpenDemo{});
   else
     window.editor().handle(command::OpenFiles{options.files});
+  window.editor().offer_lost_work();
   window.run(input, log.is_open() ? &log : nullptr, options.widget_log);
 
   settings.view = window.editor().view();

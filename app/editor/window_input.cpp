@@ -27,7 +27,7 @@ void watch_events(GLFWwindow* window, WindowInput& input) {
   });
   glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { input_of(w).note(); });
   glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
-    input_of(w).mouse.button(button, action == GLFW_PRESS, modifiers);
+    input_of(w).mouse.button(button, action == GLFW_PRESS, modifiers, glfwGetTime());
     input_of(w).note();
   });
   glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {

@@ -3,7 +3,8 @@
 //
 // A task is the wish ("correct the right arm"), a correction what came of it: keys for one limb
 // over one window, with the settings and the seed that made them. The source clip is never
-// modified; the corrected clip is the source with the corrections laid over it in order.
+// modified; the corrected clip is the source with the corrections laid over it in order. Tasks and
+// corrections belong to a clip: those of others are kept and come back with theirs.
 #pragma once
 
 #include <array>
@@ -59,6 +60,7 @@ inline const char* task_kind_id(TaskKind kind) {
 struct Task {
   TaskKind kind = TaskKind::correct;
   std::string name;
+  std::string clip;                  // whose task it is, by name or index; empty: any clip's
   std::string limb = "auto";         // LIMB as on the command line; a reach names one
   std::optional<Interval> window;    // seconds; none: auto
   std::optional<HandTarget> target;  // of a reach
@@ -78,6 +80,7 @@ struct JointKeys {
 struct Correction {
   std::string name;
   std::string task;          // name of the task it came of; empty: of none that is kept
+  std::string clip;          // that it lies over, by name or index; empty: any clip
   std::string limb;          // limb_id, or FROM..TO
   float begin = 0, end = 0;  // the window, seconds, float32 as exported
   bool muted = false;

@@ -95,6 +95,17 @@ std::string Session::clip_name() const {
   return clip()->name.empty() ? "clip " + std::to_string(scene.clip) : clip()->name;
 }
 
+std::string Session::clip_id() const {
+  if (!clip()) return "";
+  const std::string& name = clip()->name;
+  return !name.empty() && scene.model().find_clip(name) == scene.clip ? name
+                                                                      : std::to_string(scene.clip);
+}
+
+bool Session::is_of_clip(const std::string& clip) const {
+  return clip.empty() || scene.model().find_clip(clip) == scene.clip;
+}
+
 Result<Session> open_session(const Document& document, const std::vector<std::string>& named) {
   Session session;
   if (Status read = read_scene(document, session); !read) return read.error();

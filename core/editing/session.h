@@ -27,6 +27,11 @@ struct Session {
   }
   const std::shared_ptr<const Clip>& clip() const { return scene.world.actors.front().clip; }
   std::string clip_name() const;  // as the file has it, "clip 0" where it has no name
+  // What a task or a correction of this clip says of it: its name, or its index where the name is
+  // missing or another clip's too. Empty without a clip.
+  std::string clip_id() const;
+  // Whether such a text means this clip; an empty one means any.
+  bool is_of_clip(const std::string& clip) const;
 };
 
 // Reads and fits. `named`: limbs FROM..TO to fit besides the ones found; empty ones and the usual

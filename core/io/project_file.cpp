@@ -261,6 +261,7 @@ Document document_of(const Json& root, const std::filesystem::path& folder) {
       else if (kind != task_kind_id(TaskKind::correct))
         throw Damage{where + "/kind", "this version knows no task \"" + kind + "\""};
       if (item.contains("name")) task.name = text_of(item["name"], where + "/name");
+      if (item.contains("clip")) task.clip = text_of(item["clip"], where + "/clip");
       if (item.contains("limb")) task.limb = text_of(item["limb"], where + "/limb");
       task.window = window_of(item, where);
       if (task.kind == TaskKind::reach)
@@ -282,6 +283,9 @@ Document document_of(const Json& root, const std::filesystem::path& folder) {
       correction.begin = float_of(window[0], where + "/window");
       correction.end = float_of(window[1], where + "/window");
       if (item.contains("task")) correction.task = text_of(item["task"], where + "/task");
+      // Projects from before corrections had a clip hold those of the one that is chosen.
+      correction.clip =
+          item.contains("clip") ? text_of(item["clip"], where + "/clip") : document.scene.clip;
       if (item.contains("muted")) correction.muted = flag_of(item["muted"], where + "/muted");
       if (item.contains("made_with"))
         correction.made_with =
@@ -386,6 +390,7 @@ Result<std::string> project_text(const std::filesystem::path& file, const Docume
     Json item;
     item["kind"] = task_kind_id(task.kind);
     item["name"] = task.name;
+    item["clip"] = task.clip;
     item["limb"] = task.limb;
     item["window"] = json_of(task.window);
     if (task.target) item["target"] = json_of(*task.target);
@@ -398,6 +403,7 @@ Result<std::string> project_text(const std::filesystem::path& file, const Docume
     Json item;
     item["name"] = correction.name;
     item["task"] = correction.task;
+    item["clip"] = correction.clip;
     item["limb"] = correction.limb;
     item["window"] = Json::array({correction.begin, correction.end});
     item["muted"] = correction.muted;

@@ -8,18 +8,20 @@
 //                 "attachments": [{"file": "umbrella.glb", "joint": "RightHand",
 //                                  "translation": [x, y, z], "rotation": [x, y, z, w]}]},
 //       "limbs": {"left_arm": ["Shoulder", "Wrist"], "tail": ["Tail1", "Tail3", "Tail6"]},
-//       "tasks": [{"kind": "correct", "name": "...", "limb": "right_arm", "window": [1.2, 2.05],
-//                  "seed": 7, "alternatives": 1, "clearance": 0, "max_iterations": 4000,
-//                  "max_seconds": 0, "sampling": {"Elbow, flexion": [1.2, 2.4]}}],
+//       "tasks": [{"kind": "correct", "name": "...", "clip": "Walk", "limb": "right_arm",
+//                  "window": [1.2, 2.05], "seed": 7, "alternatives": 1, "clearance": 0,
+//                  "max_iterations": 4000, "max_seconds": 0, "sampling": {"Elbow, flexion":
+//                  [1.2, 2.4]}}],
 //       "draft": {"limb": "right_arm", "window": [1.2, 2.05], "wishes": {"right_arm": {...}}},
-//       "corrections": [{"name": "...", "task": "...", "limb": "right_arm", "window": [1.2, 2.05],
-//       "muted": false,
+//       "corrections": [{"name": "...", "task": "...", "clip": "Walk", "limb": "right_arm",
+//                        "window": [1.2, 2.05], "muted": false,
 //                        "made_with": {"seed": 7, ...},
 //                        "joints": [{"joint": "RightUpperArm", "node": 12, "times": [...],
 //                                    "rotations": [[x, y, z, w], ...],
 //                                    "derivatives": [[x, y, z, w], ...]}]}]
 //     }
 //
+// A task without a clip is any clip's, a correction without one that of the clip chosen in `scene`.
 // Limbs set by hand go from a joint to one below it, or over a middle between them; others are
 // found. A window that is absent or "auto" is automatic. A target without orientation leaves the
 // hand free. The draft is what the editor is preparing. Keys that this version doesn't know survive

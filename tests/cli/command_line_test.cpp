@@ -54,6 +54,28 @@ TEST(Info, SaysWhatIsThereAsJson) {
   EXPECT_TRUE(json["warnings"].is_array());
 }
 
+// A task of another clip is no business of this one: not even its limb is looked for.
+TEST(Solve, PassesOverTasksOfOtherClips) {
+  const Folder folder;
+  nlohmann::json project;
+  project["version"] = 1;
+  project["scene"] = {{"character", kMannequin}, {"clip", "0"}};
+  project["tasks"][0] = {
+      {"kind", "correct"}, {"name", "elsewhere"}, {"clip", "1"}, {"limb", "no_such_limb"}};
+  std::ofstream(folder / "p.elbow") << project;
+  const auto out = folder / "out.glb";
+  const auto passed = run({"solve", folder / "p.elbow", "-o", out});
+  EXPECT_EQ(passed.exit_code, 0) << passed.out << passed.err;
+  EXPECT_NE(passed.err.find("of other clips passed over"), std::string::npos) << passed.err;
+  EXPECT_TRUE(bytes_of(out) == bytes_of(kMannequin));
+  // Of this clip, or of any, it counts.
+  for (const char* clip : {"0", ""}) {
+    project["tasks"][0]["clip"] = clip;
+    std::ofstream(folder / "p.elbow") << project;
+    EXPECT_EQ(run({"solve", folder / "p.elbow", "-o", out}).exit_code, 2) << clip;
+  }
+}
+
 TEST(Info, SaysWhatAProjectSetsByHand) {
   const Folder folder;
   const nlohmann::json project = {

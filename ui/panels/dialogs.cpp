@@ -35,6 +35,9 @@ void Dialogs::draw(const PanelContext& context) {
     case Dialog::discard_for_opening:
       unsaved(context);
       break;
+    case Dialog::recover:
+      recover(context);
+      break;
     default:
       files(context);
   }
@@ -145,6 +148,24 @@ void Dialogs::shortcuts(const PanelContext& context) {
     end_dialog(ui);
   }
   if (!open) context.view.dialog = Dialog::none;
+}
+
+void Dialogs::recover(const PanelContext& context) {
+  using Answer = command::AnswerRecovery::Answer;
+  const auto& lost = context.state.lost;
+  bool open = lost.has_value();
+  Question question;
+  question.title = "Recover unsaved work on " + (lost ? lost->name : "") + "?###Recover";
+  question.text = "Elbowroom ended without saving what was done until " + (lost ? lost->when : "") +
+                  ". Recovered work can be undone, and no file is written over.";
+  question.answers = {"Recover", "Discard", "Later"};
+  question.dangerous = 1;
+  const auto answer = ask(context.ui, open, question);
+  if (!answer && open) return;
+  context.view.dialog = Dialog::none;
+  context.emit(command::AnswerRecovery{answer == 0   ? Answer::recover
+                                       : answer == 1 ? Answer::discard
+                                                     : Answer::later});
 }
 
 void Dialogs::unsaved(const PanelContext& context) {

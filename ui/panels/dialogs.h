@@ -17,6 +17,7 @@ class Dialogs {
   void files(const PanelContext& context);
   void shortcuts(const PanelContext& context);
   void unsaved(const PanelContext& context);
+  void recover(const PanelContext& context);
 
   FileDialog file_dialog_;
   Dialog shown_ = Dialog::none;

@@ -47,7 +47,10 @@ void choose_limb(const PanelContext& context) {
 void draw_inspector(const PanelContext& context, const Rect& rect) {
   Ui& ui = context.ui;
   const bool planning = context.state.open() && context.state.limb >= 0;
-  const float foot = planning ? std::min(plan_section_height(context), 0.7f * rect.height()) : 0.0f;
+  // The tabs' own line stays whatever the plan has to say.
+  const float foot = planning ? std::min(plan_section_height(context),
+                                         std::max(rect.height() - ui.px(52), 0.4f * rect.height()))
+                              : 0.0f;
   if (planning) {
     const Panel panel(ui, "Plan", {{rect.min.x, rect.max.y - foot}, rect.max});
     draw_plan_section(context);

@@ -95,7 +95,7 @@ void draw_bar(const PanelContext& context, const Rect& rect) {
     const std::string& text = context.state.name;
     ImVec2 size = size_of(font, text);
     const float x = std::max(std::floor(0.5f * (rect.min.x + rect.max.x) - 0.5f * size.x),
-                             std::floor(rect.min.x + menus_end(ui) + ui.px(8)));
+                             std::floor(rect.min.x + menus_end(ui) + ui.px(20)));
     const float y = middle(rect.min.y, rect.height(), font);
     size.x = std::clamp(rect.max.x - ui.px(110) - x, 1.0f, size.x);
     draw_text(list, font, {x, y}, ui.colour(Tone::text), text, size.x);

@@ -2,8 +2,10 @@
 // What the scene holds: the character with its limbs and how they fare, the objects, the stack of
 // corrections.
 #include <algorithm>
+#include <utility>
 
 #include "ui/panels/panel.h"
+#include "ui/toolkit/fields.h"
 #include "ui/toolkit/lists.h"
 #include "ui/toolkit/menus.h"
 #include "ui/toolkit/text.h"
@@ -64,13 +66,22 @@ void object_menu(const PanelContext& context, const std::filesystem::path& file,
   end_popup(context.ui);
 }
 
+// "right hand" for what hangs on the end of an arm, else the joint's own name.
+std::string holder_of(const EditorState& state, const std::string& joint) {
+  const auto& joints = state.session->scene.model().skeleton.joints;
+  for (const LimbModel& limb : state.session->limbs)
+    if (limb.limb.is_arm() && joints[static_cast<std::size_t>(limb.limb.end)].name == joint)
+      return limb.limb.is_left() ? "left hand" : "right hand";
+  return joint;
+}
+
 void draw_object(const PanelContext& context, int number, const std::filesystem::path& file,
                  const std::string& held_by) {
   const auto scope = context.ui.scope(number);
   RowOptions row;
   row.indent = 1;
   row.icon = Icon::none;
-  const std::string right = held_by.empty() ? "obstacle" : "held, " + held_by;
+  const std::string right = held_by.empty() ? "obstacle" : holder_of(context.state, held_by);
   row.right = right;
   row.hint = "Right click to put it into a hand or to take it out of the scene";
   if (list_row(context.ui, file.stem().string(), row).context) ImGui::OpenPopup("object");
@@ -103,40 +114,89 @@ void draw_scene(const PanelContext& context) {
   for (const auto& obstacle : scene.obstacles) draw_object(context, number++, obstacle, "");
 }
 
+void begin_rename(const PanelContext& context, int index) {
+  const auto& corrections = context.state.document->corrections;
+  context.view.rename = {index, corrections[static_cast<std::size_t>(index)].name, true};
+}
+
+// The row while its name is typed: Enter and a click elsewhere keep it, Escape gives it up.
+void draw_name_field(const PanelContext& context) {
+  ViewState::Rename& rename = context.view.rename;
+  TextOptions options;
+  options.label_shown = false;
+  options.focus = std::exchange(rename.begins, false);
+  options.hint = "Enter keeps the name, Esc gives it up";
+  const TextEdit edit = text_input(context.ui, "Correction name", rename.text, options);
+  if (!edit.cancelled && (edit.entered || edit.committed) && !rename.text.empty())
+    context.emit(command::RenameCorrection{rename.correction, rename.text});
+  if (edit.entered || edit.committed || edit.cancelled || ImGui::IsItemDeactivated()) rename = {};
+}
+
+void correction_menu(const PanelContext& context, int index, const Correction& correction) {
+  if (!begin_popup(context.ui, "correction")) return;
+  if (menu_item(context.ui, "Rename", {.shortcut = "F2"})) begin_rename(context, index);
+  if (menu_item(context.ui, "Go to its beginning"))
+    context.emit(command::Scrub{static_cast<double>(correction.begin)});
+  if (menu_item(context.ui, "Replan")) context.emit(command::ReplanCorrection{index});
+  if (menu_item(context.ui, correction.muted ? "Unmute" : "Mute"))
+    context.emit(command::MuteCorrection{index});
+  menu_separator(context.ui);
+  if (menu_item(context.ui, "Delete")) context.emit(command::DeleteCorrection{index});
+  end_popup(context.ui);
+}
+
+void draw_correction(const PanelContext& context, int index) {
+  const EditorState& state = context.state;
+  const auto n = static_cast<std::size_t>(index);
+  const Correction& correction = state.document->corrections[n];
+  const auto scope = context.ui.scope(index);
+  if (context.view.rename.correction == index) {
+    draw_name_field(context);
+    return;
+  }
+  RowOptions row;
+  const bool fits = n >= state.corrections.size() || state.corrections[n].fits;
+  row.icon = correction.muted ? Icon::ring : fits ? Icon::dot : Icon::warning;
+  row.icon_tone = correction.muted ? Tone::faint : fits ? Tone::good : Tone::problem;
+  row.tone = correction.muted ? Tone::faint : Tone::text;
+  row.selected = state.selected_correction == index;
+  row.selected_tone = Tone::good;
+  row.actions = {{Icon::refresh, "Replan", false, true},
+                 {correction.muted ? Icon::eye_off : Icon::eye, "Mute", correction.muted, true},
+                 {Icon::trash, "Delete", false, true}};
+  if (!fits)
+    row.hint = state.corrections[n].problem;
+  else
+    row.hint = correction.muted ? "Muted: the motion goes on without it"
+                                : "Lies over the clip · Double-click or F2: rename · Right click: "
+                                  "more";
+  const RowResult result = list_row(context.ui, correction.name, row);
+  if (result.action == 0) context.emit(command::ReplanCorrection{index});
+  if (result.action == 1) context.emit(command::MuteCorrection{index});
+  if (result.action == 2) context.emit(command::DeleteCorrection{index});
+  if (result.clicked) context.emit(command::SelectCorrection{index});
+  if (result.double_clicked) begin_rename(context, index);
+  if (result.context) ImGui::OpenPopup("correction");
+  correction_menu(context, index, correction);
+}
+
 void draw_corrections(const PanelContext& context) {
   const EditorState& state = context.state;
   const auto& corrections = state.document->corrections;
-  heading(context.ui, "Corrections", corrections.empty() ? "" : std::to_string(corrections.size()));
-  if (corrections.empty()) {
+  const auto own = [&](std::size_t n) {
+    return n >= state.corrections.size() || state.corrections[n].of_this_clip;
+  };
+  std::size_t count = 0;
+  for (std::size_t n = 0; n < corrections.size(); ++n) count += own(n) ? 1 : 0;
+  const std::size_t others = corrections.size() - count;
+  heading(context.ui, "Corrections", count == 0 ? "" : std::to_string(count));
+  if (count == 0)
     note(context.ui, "Plans that you accept are kept here, over the clip.", Tone::faint);
-  }
   // The newest lies on top, as in any stack of layers; the clip under all.
-  for (std::size_t n = corrections.size(); n-- > 0;) {
-    const Correction& correction = corrections[n];
-    const int index = static_cast<int>(n);
-    const auto scope = context.ui.scope(index);
-    RowOptions row;
-    const bool fits = n >= state.corrections.size() || state.corrections[n].fits;
-    row.icon = correction.muted ? Icon::ring : fits ? Icon::dot : Icon::warning;
-    row.icon_tone = correction.muted ? Tone::faint : fits ? Tone::good : Tone::problem;
-    row.tone = correction.muted ? Tone::faint : Tone::text;
-    row.selected = state.selected_correction == index;
-    row.selected_tone = Tone::good;
-    row.actions = {{Icon::refresh, "Replan", false, true},
-                   {correction.muted ? Icon::eye_off : Icon::eye, "Mute", correction.muted, true},
-                   {Icon::trash, "Delete", false, true}};
-    if (!fits)
-      row.hint = state.corrections[n].problem;
-    else
-      row.hint = correction.muted ? "Muted: the motion goes on without it"
-                                  : "Lies over the clip; the eye mutes it";
-    const RowResult result = list_row(context.ui, correction.name, row);
-    if (result.action == 0) context.emit(command::ReplanCorrection{index});
-    if (result.action == 1) context.emit(command::MuteCorrection{index});
-    if (result.action == 2) context.emit(command::DeleteCorrection{index});
-    if (result.clicked) context.emit(command::SelectCorrection{index});
-    if (result.double_clicked) context.emit(command::Scrub{static_cast<double>(correction.begin)});
-  }
+  for (std::size_t n = corrections.size(); n-- > 0;)
+    if (own(n)) draw_correction(context, static_cast<int>(n));
+  if (context.view.rename.correction >= static_cast<int>(corrections.size()))
+    context.view.rename = {};
   RowOptions clip;
   clip.icon = Icon::dotted_ring;
   clip.icon_tone = Tone::faint;
@@ -144,6 +204,11 @@ void draw_corrections(const PanelContext& context) {
   clip.right = "source";
   const std::string name = state.session->clip_name();
   if (state.source) list_row(context.ui, name, clip);
+  if (others > 0)
+    note(context.ui,
+         std::to_string(others) +
+             (others == 1 ? " more is kept for another clip." : " more are kept for other clips."),
+         Tone::faint);
 }
 
 }  // namespace

@@ -45,6 +45,7 @@ void draw_planner_tab(const PanelContext& context);
 // The button, progress, the plan's card: always in sight at the inspector's foot.
 float plan_section_height(const PanelContext& context);
 void draw_plan_section(const PanelContext& context);
+constexpr float kTransportHeight = 40;  // the bar above the timeline, pixels at 100 %
 void draw_timeline(const PanelContext& context, const Rect& rect);
 void draw_status_line(const PanelContext& context, const Rect& rect);
 void draw_welcome(const PanelContext& context,

@@ -11,41 +11,27 @@
 namespace elbowroom {
 namespace {
 
-void candidate_card(const PanelContext& context) {
-  const Candidate& candidate = *context.state.candidate;
-  const WindowReport& report = candidate.report;
+// "left arm" for left_arm.
+std::string words_of(const std::string& limb) {
+  std::string words = limb_title(limb);
+  if (!words.empty() && words[0] >= 'A' && words[0] <= 'Z' && words != limb)
+    words[0] = static_cast<char>(words[0] - 'A' + 'a');
+  return words;
+}
+
+// What the section shows, which its height depends on.
+enum class Contents { plan, planning, candidate, several_ways, failure };
+constexpr float kUsualHeight[] = {74, 68, 232, 270, 208};  // pixels at 100 %
+constexpr ImGuiID kMemory = 0x504c414e;
+
+Contents contents_of(const EditorState& state) {
+  if (state.planning.active) return Contents::planning;
+  if (state.candidate) return state.ways.size() > 1 ? Contents::several_ways : Contents::candidate;
+  return state.failure ? Contents::failure : Contents::plan;
+}
+
+void accept_or_discard(const PanelContext& context) {
   Ui& ui = context.ui;
-  heading(ui, "Plan", "found in " + duration_text(report.total_ms));
-  std::vector<CardRow> rows = {
-      {"clearance in the scene", length_text(candidate.scene_clearance)},
-      {"from the clip, at most", degrees_text(report.deviation_from_clip)},
-      {"peak speed", number_text(report.peak_speed, 1, "rad/s")},
-      {report.certified ? "proven free at all times" : "free at every key and 240 Hz", "",
-       Tone::good, true},
-  };
-  const int ways = static_cast<int>(context.state.ways.size());
-  if (ways > 1) {
-    const int way = context.state.way;
-    IconButtonOptions step;
-    step.hint = "The way around before this one";
-    if (icon_button(ui, "Earlier way", Icon::step_back, step))
-      context.emit(command::ShowWay{way - 1});
-    ImGui::SameLine(0, ui.px(ui.theme().metrics.gap));
-    step.hint = "The next way around";
-    if (icon_button(ui, "Later way", Icon::step_forward, step))
-      context.emit(command::ShowWay{way + 1});
-    ImGui::SameLine(0, ui.px(ui.theme().metrics.gap));
-    inline_text(ui,
-                "Way " + std::to_string(way + 1) + " of " + std::to_string(ways) + ", cost " +
-                    number_text(report.cost, 3),
-                Tone::quiet);
-  }
-  CardOptions options;
-  options.selected = true;
-  options.selected_tone = Tone::ghost;
-  options.hint = "Shown as a ghost until it is accepted";
-  card(ui, candidate.task.name, rows, options);
-  space(ui, 4);
   ButtonOptions accept;
   accept.look = ButtonLook::primary;
   accept.shortcut = "Enter";
@@ -58,22 +44,129 @@ void candidate_card(const PanelContext& context) {
   if (button(ui, "Discard", discard)) context.emit(command::Discard{});
 }
 
+// Which of several ways is shown, and steps to the others.
+void ways_row(const PanelContext& context) {
+  Ui& ui = context.ui;
+  const int ways = static_cast<int>(context.state.ways.size()), way = context.state.way;
+  const float gap = ui.px(ui.theme().metrics.gap);
+  IconButtonOptions step;
+  step.look = ButtonLook::secondary;
+  step.size = ui.theme().metrics.control;
+  step.hint = "The way around before this one";
+  step.shortcut = "PgUp";
+  if (icon_button(ui, "Earlier way", Icon::chevron_left, step))
+    context.emit(command::ShowWay{way - 1});
+  ImGui::SameLine(0, gap);
+  step.hint = "The next way around";
+  step.shortcut = "PgDn";
+  if (icon_button(ui, "Later way", Icon::chevron_right, step))
+    context.emit(command::ShowWay{way + 1});
+  ImGui::SameLine(0, gap);
+  inline_text(ui, "Way " + std::to_string(way + 1) + " of " + std::to_string(ways) + "###Way");
+}
+
+void candidate_card(const PanelContext& context) {
+  const Candidate& candidate = *context.state.candidate;
+  const WindowReport& report = candidate.report;
+  Ui& ui = context.ui;
+  std::vector<CardRow> rows = {
+      {"clearance in the scene", length_text(candidate.scene_clearance)},
+      {"from the clip, at most", degrees_text(report.deviation_from_clip)},
+      {"peak speed", number_text(report.peak_speed, 1, "rad/s")},
+      {"found in", duration_text(report.total_ms)},
+      {report.certified ? "proven free at all times" : "free at every key and 240 Hz", "",
+       Tone::good, true},
+  };
+  CardOptions options;
+  options.selected = true;
+  options.selected_tone = Tone::ghost;
+  options.hint = "Shown as a ghost until it is accepted";
+  card(ui, candidate.task.name, rows, options);
+}
+
+// A button for what has been tried and works.
+void use_suggestion(const PanelContext& context, const Suggestion& works) {
+  Ui& ui = context.ui;
+  ButtonOptions options;
+  options.hint = "Sets it and plans again";
+  switch (works.kind) {
+    case Suggestion::Kind::wider_window:
+      if (!button(ui, "Use the wider window", options)) return;
+      context.emit(command::SetWindow{works.window});
+      break;
+    case Suggestion::Kind::wider_intervals:
+      if (!button(ui, "Use the limb's own intervals", options)) return;
+      context.emit(command::ChoosePreset{SamplingPreset::paper});
+      break;
+    case Suggestion::Kind::another_limb: {
+      if (!button(ui, "Correct the " + words_of(works.limb) + " instead###Another limb", options))
+        return;
+      const auto& limbs = context.state.session->limbs;
+      for (std::size_t i = 0; i < limbs.size(); ++i)
+        if (limbs[i].limb.name == works.limb)
+          context.emit(command::SetWindow{works.window, Phase::committed, static_cast<int>(i)});
+      break;
+    }
+  }
+  context.emit(command::Plan{});
+}
+
 void failure_note(const PanelContext& context) {
   const PlanFailure& failure = *context.state.failure;
   std::string more;
-  if (!failure.blocked_by.empty()) more = "Most in the way: " + failure.blocked_by + ". ";
-  for (const Suggestion& suggestion : failure.suggestions)
-    more += sentence(suggestion.text()) + ". ";
+  const auto line = [&more](const std::string& text) { more += (more.empty() ? "" : "\n") + text; };
+  if (!failure.blocked_by.empty()) line("Most in the way: " + failure.blocked_by + ".");
+  for (const Suggestion& suggestion : failure.suggestions) line(sentence(suggestion.text()) + ".");
   const auto works = std::find_if(failure.suggestions.begin(), failure.suggestions.end(),
                                   [](const Suggestion& s) { return s.works; });
-  if (works == failure.suggestions.end()) more += "Another seed may find a way.";
+  if (works == failure.suggestions.end()) line("Another seed may find a way.");
   inline_note(
       context.ui, Tone::problem,
       "No motion found: " + (failure.reason.empty() ? "the budget is used up" : failure.reason),
       more);
-  if (works == failure.suggestions.end() || works->kind != Suggestion::Kind::wider_window) return;
-  if (button(context.ui, "Use the wider window")) {
-    context.emit(command::SetWindow{works->window});
+  if (works != failure.suggestions.end()) use_suggestion(context, *works);
+}
+
+void plan_row(const PanelContext& context) {
+  Ui& ui = context.ui;
+  const EditorState& state = context.state;
+  const Draft& draft = state.document->draft;
+  ButtonOptions options;
+  // What is planned already waits to be accepted first.
+  options.look = state.candidate ? ButtonLook::secondary : ButtonLook::primary;
+  options.shortcut = "P";
+  std::string text = "Plan";
+  if (draft.target) {
+    text = "Plan reach at " + number_text(draft.target->time, 2, "s");
+    options.hint = "Find a motion that reaches the target and comes back";
+  } else if (draft.window) {
+    text = "Plan " + number_text(draft.window->lower, 2) + "–" +
+           number_text(draft.window->upper, 2, "s");
+    options.hint = "Find a motion around what the limb collides with in this window";
+  } else {
+    text = "Plan first problem";
+    options.hint = "Choose the limb's first problem and find a motion around it";
+    const auto limb = static_cast<std::size_t>(state.limb);
+    if (state.strip && state.strip->complete() && limb < state.strip->limbs.size() &&
+        state.strip->limbs[limb].windows.empty()) {
+      text = "Plan";
+      options.enabled = false;
+      options.why_not =
+          "This limb collides nowhere. Drag on its row in the timeline to choose a window.";
+    }
+  }
+  if (button(ui, text + "###Plan", options)) context.emit(command::Plan{});
+  // The seed, beside it: another seed is another way.
+  PlanningWishes wishes;
+  if (const auto found = draft.wishes.find(draft.limb); found != draft.wishes.end())
+    wishes = found->second;
+  ImGui::SameLine(0, ui.px(ui.theme().metrics.gap));
+  ButtonOptions seed;
+  seed.icon = Icon::refresh;
+  seed.hint = "The seed; click to plan with the next one: another way around, if there is one";
+  if (button(ui, std::to_string(wishes.seed) + "###Seed", seed)) {
+    ++wishes.seed;
+    context.emit(command::SetWishes{wishes, "Seed " + std::to_string(wishes.seed)});
     context.emit(command::Plan{});
   }
 }
@@ -81,20 +174,19 @@ void failure_note(const PanelContext& context) {
 }  // namespace
 
 float plan_section_height(const PanelContext& context) {
-  const Ui& ui = context.ui;
-  const float foot = ui.px(ui.theme().metrics.control) + ui.px(40);
-  if (context.state.planning.active) return foot + ui.px(12);
-  if (context.state.candidate)
-    return foot + ui.px(206) + (context.state.ways.size() > 1 ? ui.px(32) : 0);
-  if (context.state.failure)
-    return foot + ui.px(150) + (context.state.failure->suggestions.empty() ? 0 : ui.px(90));
-  return foot;
+  Ui& ui = context.ui;
+  // What its contents took in the last frame holds as long as they are of the same kind; when they
+  // change, a good guess keeps buttons from jumping in the frame after.
+  const Contents now = contents_of(context.state);
+  const std::vector<double>& last = ui.memory(kMemory);
+  const float measured = panel_content_height("Plan");
+  if (measured > 0 && last == std::vector{static_cast<double>(now)}) return measured + ui.px(2);
+  return ui.px(kUsualHeight[static_cast<std::size_t>(now)]);
 }
 
 void draw_plan_section(const PanelContext& context) {
   Ui& ui = context.ui;
   const EditorState& state = context.state;
-  const Draft& draft = state.document->draft;
   space(ui, 6);
   if (state.planning.active) {
     ProgressOptions options;
@@ -105,48 +197,18 @@ void draw_plan_section(const PanelContext& context) {
     // One name for all phases: a click on Cancel holds while the phase changes under it.
     if (progress(ui, sentence(state.planning.what) + "###Planning", fraction, options))
       context.emit(command::CancelPlan{});
+  } else if (state.candidate) {
+    // First what is to be decided: it stays in sight however little room there is.
+    accept_or_discard(context);
+    if (state.ways.size() > 1) ways_row(context);
+    candidate_card(context);
+    plan_row(context);
   } else {
-    ButtonOptions options;
-    options.look = ButtonLook::primary;
-    options.shortcut = "P";
-    std::string text = "Plan";
-    if (draft.target) {
-      text = "Plan reach at " + number_text(draft.target->time, 2, "s");
-      options.hint = "Find a motion that reaches the target and comes back";
-    } else if (draft.window) {
-      text = "Plan " + number_text(draft.window->lower, 2) + "–" +
-             number_text(draft.window->upper, 2, "s");
-      options.hint = "Find a motion around what the limb collides with in this window";
-    } else {
-      text = "Plan first problem";
-      options.hint = "Choose the limb's first problem and find a motion around it";
-      const auto limb = static_cast<std::size_t>(state.limb);
-      if (state.strip && state.strip->complete() && limb < state.strip->limbs.size() &&
-          state.strip->limbs[limb].windows.empty()) {
-        text = "Plan";
-        options.enabled = false;
-        options.why_not =
-            "This limb collides nowhere. Drag on its row in the timeline to choose a window.";
-      }
-    }
-    if (button(ui, text + "###Plan", options)) context.emit(command::Plan{});
-    // The seed, beside it: another seed is another way.
-    PlanningWishes wishes;
-    if (const auto found = draft.wishes.find(draft.limb); found != draft.wishes.end())
-      wishes = found->second;
-    ImGui::SameLine(0, ui.px(ui.theme().metrics.gap));
-    ButtonOptions seed;
-    seed.icon = Icon::refresh;
-    seed.hint = "The seed; click to plan with the next one: another way around, if there is one";
-    if (button(ui, std::to_string(wishes.seed) + "###Seed", seed)) {
-      ++wishes.seed;
-      context.emit(command::SetWishes{wishes, "Seed " + std::to_string(wishes.seed)});
-      context.emit(command::Plan{});
-    }
+    plan_row(context);
+    if (state.failure) failure_note(context);
   }
   space(ui, 6);
-  if (state.candidate) candidate_card(context);
-  if (state.failure) failure_note(context);
+  ui.memory(kMemory) = {static_cast<double>(contents_of(state))};
 }
 
 }  // namespace elbowroom

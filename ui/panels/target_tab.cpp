@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The hand target: where, when, which way; and whether the limb gets there.
 #include <cmath>
-#include <glm/gtc/quaternion.hpp>
 
+#include "ui/euler_angles.h"
 #include "ui/panels/panel.h"
 #include "ui/toolkit/buttons.h"
 #include "ui/toolkit/feedback.h"
@@ -11,8 +11,6 @@
 
 namespace elbowroom {
 namespace {
-
-constexpr double kDegrees = 180 / kPi;
 
 const char* end_name(const LimbModel& limb) {
   if (limb.limb.kind == LimbKind::chain) return "end";
@@ -40,14 +38,13 @@ void target_numbers(const PanelContext& context, const HandTarget& target) {
   ToggleOptions toggle_options;
   toggle_options.hint = "Off: the wrist may turn as it likes";
   if (toggle(ui, "Keep the hand's orientation", fixed, toggle_options)) {
-    if (fixed)
-      next.orientation = Quat(1, 0, 0, 0);
-    else
-      next.orientation.reset();
-    edit.committed = true;
+    context.emit(command::KeepOrientation{fixed});
+    return;
   }
-  if (target.orientation && next.orientation) {
-    Vec3 angles = glm::eulerAngles(*target.orientation) * kDegrees;
+  if (target.orientation) {
+    Vec3& shown = context.view.turns;
+    shown = euler_degrees_near(*target.orientation, shown);
+    Vec3 angles = shown;
     const char* turns[3] = {"Turn X", "Turn Y", "Turn Z"};
     bool turned = false;
     for (int i = 0; i < 3; ++i) {
@@ -58,7 +55,10 @@ void target_numbers(const PanelContext& context, const HandTarget& target) {
       turned |= static_cast<bool>(one);
       note_edit(one);
     }
-    if (turned) next.orientation = Quat(angles / kDegrees);
+    if (turned) {
+      shown = angles;
+      next.orientation = from_euler_degrees(angles);
+    }
   }
   if (edit.cancelled)
     context.emit(command::SetTarget{target, Phase::cancelled});
@@ -90,6 +90,7 @@ void draw_target_tab(const PanelContext& context) {
   const auto& target = context.state.document->draft.target;
   const std::string name = end_name(limb);
   if (!target) {
+    context.view.turns = Vec3(0);
     heading(ui, "No target");
     note(ui, "A target is where the " + name +
                  " shall be at a time. Plan then finds a motion that goes there and comes back.");

@@ -81,6 +81,37 @@ TimelineCurve curve_of(const LimbStrip& strip, const std::string& name, bool das
   return curve;
 }
 
+// What has been done on this clip by its corrections' names, and tasks that nothing came of yet.
+void add_marks_of_work(const EditorState& state, TimelineModel& model) {
+  const Document& document = *state.document;
+  const auto add = [&model](const std::string& name, double time) {
+    TimelineMark mark;
+    mark.time = time;
+    mark.label = name;
+    mark.movable = false;
+    model.marks.push_back(mark);
+  };
+  const auto task_time = [](const Task& task) -> std::optional<double> {
+    if (task.kind == TaskKind::reach && task.target) return task.target->time;
+    if (task.window) return 0.5 * (task.window->lower + task.window->upper);
+    return std::nullopt;
+  };
+  for (const Correction& correction : document.corrections) {
+    if (!state.session->is_of_clip(correction.clip)) continue;
+    double time = 0.5 * static_cast<double>(correction.begin + correction.end);
+    for (const Task& task : document.tasks)
+      if (task.name == correction.task && !correction.task.empty())
+        time = task_time(task).value_or(time);
+    add(correction.name, time);
+  }
+  for (const Task& task : document.tasks) {
+    const auto time = task_time(task);
+    const bool done = std::any_of(document.corrections.begin(), document.corrections.end(),
+                                  [&](const Correction& c) { return c.task == task.name; });
+    if (time && !done && state.session->is_of_clip(task.clip)) add(task.name, *time);
+  }
+}
+
 TimelineModel model_of(const EditorState& state, const ViewState& view) {
   TimelineModel model;
   model.begin = state.begin;
@@ -113,18 +144,7 @@ TimelineModel model_of(const EditorState& state, const ViewState& view) {
     mark.selected = true;
     model.marks.push_back(mark);
   }
-  for (const Task& task : state.document->tasks) {
-    TimelineMark mark;
-    mark.movable = false;
-    mark.label = task.name;
-    if (task.kind == TaskKind::reach && task.target)
-      mark.time = task.target->time;
-    else if (task.window)
-      mark.time = 0.5 * (task.window->lower + task.window->upper);
-    else
-      continue;
-    model.marks.push_back(mark);
-  }
+  add_marks_of_work(state, model);
   const int limb = state.limb;
   const auto has = [&](const std::shared_ptr<const CollisionStrip>& s) {
     return s && limb >= 0 && static_cast<std::size_t>(limb) < s->limbs.size();
@@ -289,7 +309,7 @@ void draw_timeline(const PanelContext& context, const Rect& rect) {
   Ui& ui = context.ui;
   const Panel panel(ui, "Timeline", rect, {PanelGround::panel, false, false});
   if (!context.state.open()) return;
-  const float bar = ui.px(40);
+  const float bar = ui.px(kTransportHeight);
   transport(context, {rect.min, {rect.max.x, rect.min.y + bar}});
   if (!context.state.source) {
     ImGui::SetCursorScreenPos({rect.min.x + ui.px(12), rect.min.y + bar});

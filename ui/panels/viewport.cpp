@@ -47,13 +47,16 @@ void paint(ImDrawList& list, ImVec2 origin, const GizmoPart& part) {
   }
 }
 
+float pill_width(const Ui& ui, const std::string& text) {
+  return size_of(ui.fonts().small, text).x + 2 * ui.px(9);
+}
+
 // A few words on a quiet ground. `anchor`: 0 left, 0.5 middle, 1 right of the place given.
 void pill(const Ui& ui, ImDrawList& list, ImVec2 at, float anchor, const std::string& text,
           Tone tone = Tone::quiet) {
   ImFont* font = ui.fonts().small;
-  const ImVec2 size = size_of(font, text);
   const float pad = ui.px(9), height = ui.px(25);
-  const float width = size.x + 2 * pad;
+  const float width = pill_width(ui, text);
   const ImVec2 min{std::floor(at.x - anchor * width), std::floor(at.y)};
   list.AddRectFilled(min, {min.x + width, min.y + height}, with_opacity(ui.palette().panel, 0.86f),
                      ui.px(4));
@@ -304,9 +307,11 @@ void Viewport::overlay(const PanelContext& context) const {
   const EditorState& state = context.state;
   const float inset = ui.px(12);
   list.PushClipRect(rect_.min, rect_.max, true);
-  pill(ui, list, {rect_.min.x + inset, rect_.min.y + inset}, 0,
-       std::string(context.view.camera.orthographic ? "Orthographic" : "Perspective") + " · " +
-           compare_text(context.view.compare));
+  const std::string shown = compare_text(context.view.compare);
+  const std::string view_words =
+      std::string(context.view.camera.orthographic ? "Orthographic" : "Perspective") + " · " +
+      shown;
+  float room = rect_.width() - 3 * inset;  // for the words at the upper left
   // How much room the selected limb has now.
   const auto& strip = context.view.compare == Compare::before ? state.source_strip : state.strip;
   const bool known = context.view.compare == Compare::before || state.strip_is_current;
@@ -320,10 +325,16 @@ void Viewport::overlay(const PanelContext& context) const {
               ? (sample->depth > 0 ? "Collides, " + length_text(sample->depth) + " deep"
                                    : std::string("Collides"))
               : "Clearance " + std::string(far ? "over " : "") + length_text(sample->clearance);
-      pill(ui, list, {rect_.max.x - inset, rect_.min.y + inset}, 1,
-           text + " at " + time_text(state, context.view, state.time),
+      const std::string whole = text + " at " + time_text(state, context.view, state.time);
+      pill(ui, list, {rect_.max.x - inset, rect_.min.y + inset}, 1, whole,
            sample->contact ? Tone::problem : Tone::quiet);
+      room -= pill_width(ui, whole);
     }
+  }
+  for (const std::string& words : {view_words, shown}) {
+    if (pill_width(ui, words) > room) continue;
+    pill(ui, list, {rect_.min.x + inset, rect_.min.y + inset}, 0, words);
+    break;
   }
   std::string words;
   Tone tone = Tone::text;
@@ -334,6 +345,12 @@ void Viewport::overlay(const PanelContext& context) const {
     tone = target_tone(state.target.status);
   } else if (state.candidate) {
     words = "The plan is shown as a ghost. Enter accepts it, Del discards it.";
+    if (pill_width(ui, words) > rect_.width() - 2 * inset) words = "Enter accepts, Del discards";
+  }
+  // What doesn't fit on one line is shortened; the inspector says it whole.
+  if (pill_width(ui, words) > rect_.width() - 2 * inset) {
+    const std::size_t end = words.find(": ");
+    if (end != std::string::npos) words.resize(end);
   }
   if (!words.empty())
     pill(ui, list, {0.5f * (rect_.min.x + rect_.max.x), rect_.max.y - inset - ui.px(25)}, 0.5f,

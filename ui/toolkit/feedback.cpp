@@ -55,7 +55,7 @@ bool progress(Ui& ui, std::string_view label, std::optional<double> fraction,
   return cancelled;
 }
 
-bool inline_note(Ui& ui, Tone tone, std::string_view what, std::string_view more,
+bool inline_note(Ui& ui, Tone tone, std::string_view what_text, std::string_view more_text,
                  bool can_dismiss) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = std::max(ui.px(80), std::floor(ImGui::GetContentRegionAvail().x));
@@ -63,10 +63,11 @@ bool inline_note(Ui& ui, Tone tone, std::string_view what, std::string_view more
   ImFont* font = ui.fonts().regular;
   ImFont* small = ui.fonts().small;
   const float wrap = width - 2 * pad - icon - ui.px(8) - (can_dismiss ? ui.px(22) : 0);
-  const auto block = [wrap](ImFont* with, std::string_view text) {
+  const std::string what = wrapped(font, what_text, wrap), more = wrapped(small, more_text, wrap);
+  const auto block = [](ImFont* with, const std::string& text) {
     return text.empty() ? 0.0f
-                        : with->CalcTextSizeA(with->FontSize, std::numeric_limits<float>::max(),
-                                              wrap, text.data(), text.data() + text.size())
+                        : with->CalcTextSizeA(with->FontSize, std::numeric_limits<float>::max(), 0,
+                                              text.data(), text.data() + text.size())
                               .y;
   };
   const float first = block(font, what), second = block(small, more);
@@ -84,16 +85,16 @@ bool inline_note(Ui& ui, Tone tone, std::string_view what, std::string_view more
   const float x = at.x + pad + icon + ui.px(8);
   if (!what.empty()) {
     list.AddText(font, font->FontSize, {x, at.y + ui.px(8)}, p.text, what.data(),
-                 what.data() + what.size(), wrap);
+                 what.data() + what.size());
   }
   if (!more.empty()) {
     list.AddText(small, small->FontSize, {x, at.y + ui.px(8) + first + ui.px(3)}, p.quiet,
-                 more.data(), more.data() + more.size(), wrap);
+                 more.data(), more.data() + more.size());
   }
-  ui.record(WidgetKind::error, what, at, end, std::string(more));
+  ui.record(WidgetKind::error, what_text, at, end, std::string(more_text));
   bool dismissed = false;
   if (can_dismiss) {
-    const auto scope = ui.scope(what);
+    const auto scope = ui.scope(what_text);
     ImGui::SetCursorScreenPos({end.x - ui.px(30), at.y + ui.px(4)});
     dismissed = icon_button(ui, "Dismiss", Icon::close, {.size = 26});
     ImGui::SetCursorScreenPos(at);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ui/toolkit/layout.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <optional>
 
@@ -153,6 +155,11 @@ Panel::Panel(Ui& ui, std::string_view name, const Rect& place, const PanelOption
     : window_(ui, name, place, options), scope_(ui, name) {}
 
 Panel::~Panel() = default;
+
+float panel_content_height(std::string_view name) {
+  const ImGuiWindow* window = ImGui::FindWindowByName(std::string(name).c_str());
+  return window ? window->ContentSize.y + 2 * window->WindowPadding.y : 0;
+}
 
 Edit splitter_between_columns(Ui& ui, std::string_view name, float x, float top, float bottom,
                               double& ratio, float extent, double least, double most,

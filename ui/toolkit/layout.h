@@ -36,6 +36,10 @@ class Panel {
   Ui::Scope scope_;
 };
 
+// What a panel's contents took in the last frame in which it was drawn, pixels on the screen with
+// the air above and below; 0 before the first.
+float panel_content_height(std::string_view name);
+
 // The strip between two panels. `ratio` is the first one's share of `extent` pixels, kept within
 // [least, most]; double-click sets `reset_to`. Draws a hairline; the grip reaches over both sides.
 // Call after the panels (it opens a small window of its own above them).

@@ -101,9 +101,11 @@ RowResult list_row(Ui& ui, std::string_view label, const RowOptions& options) {
   }
 
   float right = row.max.x - pad;
+  const float beside = row.max.x - pad - ui.px(22) * static_cast<float>(options.actions.size());
+  const bool fits = left + size_of(ui.fonts().regular, shown).x <= beside;
   for (std::size_t i = options.actions.size(); i-- > 0;) {
     const RowAction& action = options.actions[i];
-    const bool shown_now = result.hovered || options.selected || action.on || focused;
+    const bool shown_now = result.hovered || (options.selected && fits) || action.on || focused;
     const float from =
         row.max.x - pad + ui.px(4) - ui.px(22) * static_cast<float>(options.actions.size() - i);
     const Rect spot{{from, row.min.y}, {from + ui.px(22), row.max.y}};

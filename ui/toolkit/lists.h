@@ -12,7 +12,8 @@
 
 namespace elbowroom {
 
-// A small button at a row's right end, seen while the row is hovered or selected, or while `on`.
+// A small button at a row's right end, seen while the row is hovered or has the keyboard, while
+// `on`, and while the row is selected if its name has room beside.
 struct RowAction {
   Icon icon = Icon::none;
   std::string name;  // for the tooltip and for tests: "Mute"

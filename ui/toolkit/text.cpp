@@ -67,14 +67,53 @@ void title(Ui& ui, std::string_view text, std::string_view right) {
         ui.px(ui.theme().metrics.row)});
 }
 
+std::string wrapped(ImFont* font, std::string_view text, float width) {
+  std::string result;
+  float line = 0;  // pixels of the line so far
+  const float blank = size_of(font, " ").x;
+  const auto end_line = [&] {
+    result += '\n';
+    line = 0;
+  };
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
+    std::string_view word = text.substr(at, end - at);
+    if (line > 0 && line + blank + size_of(font, word).x > width) {
+      end_line();
+    } else if (line > 0) {
+      result += ' ';
+      line += blank;
+    }
+    // What is wider than a whole line goes over several, at least a sign on each.
+    while (!word.empty() && size_of(font, word).x > width) {
+      const char* cut = nullptr;
+      font->CalcTextSizeA(font->FontSize, std::max(width, 1.0f), 0, word.data(),
+                          word.data() + word.size(), &cut);
+      std::size_t fits = static_cast<std::size_t>(cut - word.data());
+      if (fits == 0)
+        for (fits = 1; fits < word.size() && (word[fits] & 0xc0) == 0x80;) ++fits;
+      if (fits >= word.size()) break;
+      result += word.substr(0, fits);
+      word.remove_prefix(fits);
+      end_line();
+    }
+    result += word;
+    line += size_of(font, word).x;
+    if (end < text.size() && text[end] == '\n') end_line();
+    at = end + 1;
+  }
+  return result;
+}
+
 void note(Ui& ui, std::string_view text, Tone tone) {
   ImFont* font = ui.fonts().small;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = std::max(ui.px(40), ImGui::GetContentRegionAvail().x);
-  const ImVec2 size = font->CalcTextSizeA(font->FontSize, std::numeric_limits<float>::max(), width,
-                                          text.data(), text.data() + text.size());
-  ImGui::GetWindowDrawList()->AddText(font, font->FontSize, at, ui.colour(tone), text.data(),
-                                      text.data() + text.size(), width);
+  const std::string lines = wrapped(font, text, width);
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, std::numeric_limits<float>::max(), 0,
+                                          lines.data(), lines.data() + lines.size());
+  ImGui::GetWindowDrawList()->AddText(font, font->FontSize, at, ui.colour(tone), lines.data(),
+                                      lines.data() + lines.size());
   ImGui::Dummy({width, std::max(size.y, font->FontSize)});
   ui.record(WidgetKind::label, text, at, {at.x + width, at.y + size.y});
 }

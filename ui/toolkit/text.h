@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "ui/toolkit/ui.h"
@@ -19,6 +20,9 @@ void heading(Ui& ui, std::string_view text, std::string_view right = {});
 void title(Ui& ui, std::string_view text, std::string_view right = {});
 // Wrapped quiet text in the small size, over as many lines as it takes.
 void note(Ui& ui, std::string_view text, Tone tone = Tone::quiet);
+// The text with line ends between words, and within one that is too wide by itself, so that no line
+// is wider than `width` pixels. Dear ImGui by itself would break "1.425 s" after its point.
+std::string wrapped(ImFont* font, std::string_view text, float width);
 // A piece of text that takes its own width, for rows made with ImGui::SameLine; vertically centred
 // in a control's height.
 void inline_text(Ui& ui, std::string_view text, Tone tone = Tone::text);

@@ -43,7 +43,11 @@ void press(Frame& frame, const TimelineHover& hover, double time) {
     drag.end = window->end;
   }
   drag.time = std::isfinite(frame.model.time) ? frame.model.time : frame.layout.clip.from;
-  if (hover.low) {
+  if (hover.scroll_bar) {
+    drag.kind = Grip::rows;
+    drag.scroll = frame.layout.row_scroll;
+    drag.y = ImGui::GetIO().MousePos.y;
+  } else if (hover.low) {
     drag.kind = Grip::window_low;
     drag.index = window->row;
   } else if (hover.high) {
@@ -119,6 +123,7 @@ TimelineEvent dragged(const Frame& frame, double mouse, bool put_back) {
       if (!put_back) event.time = frame.snapped(drag.time + moved);
       break;
     case Grip::pan:
+    case Grip::rows:
     case Grip::none:
       break;
   }
@@ -152,6 +157,16 @@ void release(Frame& frame, const TimelineHover& hover, double mouse) {
 void step_drag(Frame& frame, const TimelineHover& hover, double mouse, bool clicked) {
   TimelineView::Drag& drag = frame.view.drag;
   const ImGuiIO& io = ImGui::GetIO();
+  if (drag.kind == Grip::rows) {
+    const TimelineLayout& layout = frame.layout;
+    const float way = layout.scroll_bar.height() - scroll_thumb(frame.ui, layout).height();
+    if (way > 0)
+      frame.view.row_scroll =
+          std::clamp(drag.scroll + (io.MousePos.y - drag.y) * layout.most_scroll / way, 0.0f,
+                     layout.most_scroll);
+    if (!io.MouseDown[0]) drag = {};
+    return;
+  }
   const bool fixed_mark =
       drag.kind == Grip::mark && (drag.index >= static_cast<int>(frame.model.marks.size()) ||
                                   !frame.model.marks[static_cast<std::size_t>(drag.index)].movable);
@@ -229,6 +244,8 @@ void say(Frame& frame, const TimelineHover& hover) {
   const TimelineView::Drag& drag = frame.view.drag;
   const auto shape = [](ImGuiMouseCursor cursor) { ImGui::SetMouseCursor(cursor); };
   if (drag.kind == Grip::pan) return shape(ImGuiMouseCursor_ResizeEW);
+  if (hover.scroll_bar || drag.kind == Grip::rows)
+    return ui.hint("Drag: more rows · Wheel over the labels does the same");
   if (drag.kind != Grip::none && drag.moved) {
     shape(ImGuiMouseCursor_ResizeEW);
     ui.hint(frame.model.snap ? "Shift: between frames · Esc: put back"
@@ -303,6 +320,7 @@ void record(Frame& frame, std::string_view name) {
          model.marks[i].label, model.marks[i].selected);
   }
   if (layout.curves.height() > 1) part("curves", layout.curves);
+  if (layout.most_scroll > 0) part("scroll", scroll_thumb(ui, layout));
 }
 
 }  // namespace

@@ -82,11 +82,12 @@ struct TimelineView {
   float row_scroll = 0;     // pixels
 
   struct Drag {
-    enum class Kind { none, playhead, window_low, window_high, window_band, draw, mark, pan };
+    enum class Kind { none, playhead, window_low, window_high, window_band, draw, mark, pan, rows };
     Kind kind = Kind::none;
     int index = -1;                       // row or mark
     double grabbed = 0;                   // time under the mouse at the beginning
     double begin = 0, end = 0, time = 0;  // values at the beginning
+    float scroll = 0, y = 0;              // of the rows, and where the mouse took their bar
     bool moved = false;
   } drag;
 };
@@ -116,12 +117,17 @@ struct TimelineOptions {
   float label_width = 132;      // pixels at 100 %; at most a third of the width
 };
 
-// Wheel: zoom about the pointer; Shift and wheel, or middle drag: pan; Home, or a double-click on
-// the ruler: the whole clip; left drag on the ruler or the playhead: scrub; Escape: puts a drag
+// Rows that don't fit scroll: by the bar at their right, or the wheel over their labels. Wheel
+// elsewhere: zoom about the pointer; Shift and wheel, or middle drag: pan; Home, or a double-click
+// on the ruler: the whole clip; left drag on the ruler or the playhead: scrub; Escape: puts a drag
 // back. Recorded as NAME with parts: "NAME.ruler", "NAME.playhead", "NAME.window.low", ".high",
-// ".band", "NAME.row.LABEL", "NAME.row.LABEL.bump.N", "NAME.mark.N", "NAME.curves".
+// ".band", "NAME.row.LABEL", "NAME.row.LABEL.bump.N", "NAME.mark.N", "NAME.curves",
+// "NAME.scroll".
 std::vector<TimelineEvent> timeline(Ui& ui, std::string_view name, const TimelineModel& model,
                                     TimelineView& view, const TimelineOptions& options = {});
+
+// Pixels at 100 % in which so many rows, the marks and a curve can be read without scrolling.
+float least_timeline_height(int rows);
 
 // Shows the whole clip, or [begin, end] with a tenth of air at both sides.
 void show_all(TimelineView& view);

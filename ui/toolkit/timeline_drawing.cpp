@@ -309,6 +309,12 @@ void draw_timeline(Ui& ui, const TimelineModel& model, const TimelineLayout& lay
   }
   list.PopClipRect();
 
+  if (layout.most_scroll > 0) {
+    const Rect thumb = scroll_thumb(ui, layout);
+    list.AddRectFilled(thumb.min, thumb.max, mixed(p.line, p.text, hover.scroll_bar ? 0.4f : 0.15f),
+                       ui.px(3));
+  }
+
   // Labels, left.
   const auto name = [&](const Rect& row, std::string_view text, ImU32 colour, ImFont* font) {
     draw_text(list, font, {layout.labels.min.x + pad, middle(row.min.y, row.height(), font)},
@@ -335,10 +341,18 @@ void draw_timeline(Ui& ui, const TimelineModel& model, const TimelineLayout& lay
     // Its value under the playhead, of the curve that holds now.
     for (const TimelineCurve& curve : model.curves) {
       const auto value = curve.dashed ? std::nullopt : value_at(curve, model.time);
-      if (!value || layout.curves.height() < ui.px(40)) continue;
-      draw_text(list, small, {layout.labels.min.x + pad, y + regular->FontSize + ui.px(2)},
-                ui.colour(*value < model.threshold ? Tone::problem : curve.tone),
-                number_text(*value * model.curve_shown_per_value, 1, model.curve_unit), label_room);
+      if (!value) continue;
+      const std::string text =
+          number_text(*value * model.curve_shown_per_value, 1, model.curve_unit);
+      // Below the label, or beside it where there is no room below.
+      const float beside = size_of(regular, model.curves_label).x + ui.px(8);
+      ImVec2 at{layout.labels.min.x + pad, y + regular->FontSize + ui.px(2)};
+      if (layout.curves.height() < ui.px(40)) {
+        if (beside + size_of(small, text).x > layout.labels.width() - pad) break;
+        at = {at.x + beside, y + std::floor((regular->FontSize - small->FontSize) / 2)};
+      }
+      draw_text(list, small, at, ui.colour(*value < model.threshold ? Tone::problem : curve.tone),
+                text, label_room);
       break;
     }
   }

@@ -5,6 +5,15 @@
 #include <cmath>
 
 namespace elbowroom {
+namespace {
+
+constexpr float kRuler = 26, kLeastRow = 18, kLeastMarks = 22, kLeastCurves = 28;
+
+}  // namespace
+
+float least_timeline_height(int rows) {
+  return kRuler + kLeastRow * static_cast<float>(std::max(rows, 1)) + kLeastMarks + kLeastCurves;
+}
 
 TimelineLayout lay_out(const Ui& ui, const TimelineModel& model, const TimelineView& view,
                        const Rect& all, float label_width) {
@@ -13,7 +22,7 @@ TimelineLayout lay_out(const Ui& ui, const TimelineModel& model, const TimelineV
   const float labels = std::floor(std::min(ui.px(label_width), all.width() / 3));
   const float left = all.min.x + labels, right = all.max.x - ui.px(10);
   layout.labels = {all.min, {left, all.max.y}};
-  layout.ruler = {{left, all.min.y}, {all.max.x, all.min.y + ui.px(26)}};
+  layout.ruler = {{left, all.min.y}, {all.max.x, all.min.y + ui.px(kRuler)}};
   layout.clip = usable_clip(model.begin, model.end, model.frame_rate);
   layout.scale.range = usable_view(view.from, view.to, layout.clip, model.frame_rate);
   layout.scale.left = left;
@@ -23,16 +32,24 @@ TimelineLayout lay_out(const Ui& ui, const TimelineModel& model, const TimelineV
   // still do not fit scroll.
   float y = layout.ruler.max.y;
   const float room = std::max(0.0f, all.max.y - y);
-  const float marks = model.marks_label.empty() ? 0 : ui.px(28);
-  const float curves = model.curves_label.empty() ? 0 : ui.px(56);
   const float count = static_cast<float>(std::max<std::size_t>(model.rows.size(), 1));
-  const float row = std::floor(std::clamp((room - marks - curves) / count, ui.px(20), ui.px(30)));
+  const float wanted = count * ui.px(20) + ui.px(28 + 56);
+  const float marks = model.marks_label.empty() ? 0 : ui.px(room < wanted ? kLeastMarks : 28);
+  const float curves = model.curves_label.empty() ? 0 : ui.px(56);
+  const float row =
+      std::floor(std::clamp((room - marks - curves) / count, ui.px(kLeastRow), ui.px(30)));
   const float rows = model.rows.empty() ? 0 : row * count;
-  const float shown = std::min(rows, std::max(std::min(rows, row), room - marks));
+  const float least_curves = std::min(curves, ui.px(kLeastCurves));
+  // Rows that scroll anyway leave the curves their least height.
+  const float for_rows = room - marks >= rows ? room - marks : room - marks - least_curves;
+  const float shown = std::min(rows, std::max(std::min(rows, 2 * row), for_rows));
   layout.row_area = {{left, y}, {all.max.x, y + shown}};
   layout.most_scroll = rows - shown;
   const float scroll = std::round(std::clamp(
       std::isfinite(view.row_scroll) ? view.row_scroll : 0.0f, 0.0f, layout.most_scroll));
+  layout.row_scroll = scroll;
+  if (layout.most_scroll > 0)
+    layout.scroll_bar = {{all.max.x - ui.px(9), y}, {all.max.x - ui.px(2), y + shown}};
   for (std::size_t i = 0; i < model.rows.size(); ++i) {
     const float top = y - scroll + row * static_cast<float>(i);
     layout.rows.push_back({{left, top + ui.px(2)}, {right, top + row - ui.px(2)}});
@@ -41,7 +58,7 @@ TimelineLayout lay_out(const Ui& ui, const TimelineModel& model, const TimelineV
   layout.marks = {{left, y}, {right, y + std::min(marks, std::max(0.0f, all.max.y - y))}};
   y = layout.marks.max.y;
   const float rest = all.max.y - y;
-  const bool has_curves = curves > 0 && rest >= ui.px(24);
+  const bool has_curves = curves > 0 && rest >= ui.px(20);
   layout.curves = {
       {left, y + ui.px(4)},
       {right, has_curves ? all.max.y - ui.px(rest < ui.px(40) ? 3 : 6) : y + ui.px(4)}};
@@ -57,6 +74,15 @@ std::optional<TimelineWindow> usable_window(const TimelineModel& model) {
   }
   if (window.begin > window.end) std::swap(window.begin, window.end);
   return window;
+}
+
+Rect scroll_thumb(const Ui& ui, const TimelineLayout& layout) {
+  const Rect& bar = layout.scroll_bar;
+  const float all = bar.height() + layout.most_scroll;
+  const float height = std::max(ui.px(12), bar.height() * bar.height() / std::max(1.0f, all));
+  const float top =
+      bar.min.y + (bar.height() - height) * layout.row_scroll / std::max(1.0f, layout.most_scroll);
+  return {{bar.min.x, top}, {bar.max.x, top + height}};
 }
 
 Rect window_band(const TimelineLayout& layout, const TimelineWindow& window) {
@@ -91,6 +117,10 @@ Rect bump_rect(const Ui& ui, const TimelineLayout& layout, int row, const Timeli
 TimelineHover hover_of(const Ui& ui, const TimelineModel& model, const TimelineLayout& layout,
                        ImVec2 mouse) {
   TimelineHover hover;
+  if (layout.most_scroll > 0 && layout.scroll_bar.contains(mouse)) {
+    hover.scroll_bar = true;
+    return hover;
+  }
   if (layout.row_area.contains(mouse) ||
       (layout.labels.contains(mouse) && mouse.y >= layout.row_area.min.y &&
        mouse.y < layout.row_area.max.y)) {

@@ -16,6 +16,8 @@ struct TimelineLayout {
   std::vector<Rect> rows;  // the part right of the labels; scrolled
   Rect marks, curves;      // empty height: not shown
   float most_scroll = 0;
+  Rect scroll_bar;       // its track, right of the rows; empty: all of them are seen
+  float row_scroll = 0;  // put right
   TimeRange clip;
   TimeScale scale;
 };
@@ -27,6 +29,8 @@ TimelineLayout lay_out(const Ui& ui, const TimelineModel& model, const TimelineV
 Rect window_band(const TimelineLayout& layout, const TimelineWindow& window);
 Rect window_handle(const Ui& ui, const TimelineLayout& layout, const TimelineWindow& window,
                    bool low);
+// The part of the scroll bar that stands for the rows that are seen.
+Rect scroll_thumb(const Ui& ui, const TimelineLayout& layout);
 // A bump's strip, at least a few pixels wide. Empty for one without sense.
 Rect bump_rect(const Ui& ui, const TimelineLayout& layout, int row, const TimelineBump& bump);
 // The model's window, put right: finite, in order, on an existing row.
@@ -34,7 +38,7 @@ std::optional<TimelineWindow> usable_window(const TimelineModel& model);
 
 struct TimelineHover {
   int row = -1, bump = -1, mark = -1;
-  bool low = false, high = false, band = false, playhead = false;
+  bool low = false, high = false, band = false, playhead = false, scroll_bar = false;
 };
 // What is under the mouse: one thing; a bump may lie under the band.
 TimelineHover hover_of(const Ui& ui, const TimelineModel& model, const TimelineLayout& layout,

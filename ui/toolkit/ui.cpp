@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/toolkit/icons.h"
+#include "ui/toolkit/text.h"
 
 namespace elbowroom {
 
@@ -75,11 +76,12 @@ void Ui::draw_toast(std::size_t index, float& bottom) {
   std::string second = toast.where;
   if (!toast.remedy.empty()) second += (second.empty() ? "" : " · ") + toast.remedy;
   const float wrap = most - 3 * pad - 2 * icon;
-  const auto block = [wrap](ImFont* with, const std::string& text) {
-    return with->CalcTextSizeA(with->FontSize, std::numeric_limits<float>::max(), wrap,
-                               text.c_str());
+  const auto block = [](ImFont* with, const std::string& text) {
+    return with->CalcTextSizeA(with->FontSize, std::numeric_limits<float>::max(), 0, text.c_str());
   };
-  const ImVec2 first_size = block(font, toast.what);
+  const std::string first = wrapped(font, toast.what, wrap);
+  second = wrapped(fonts_.small, second, wrap);
+  const ImVec2 first_size = block(font, first);
   const ImVec2 second_size = second.empty() ? ImVec2(0, 0) : block(fonts_.small, second);
   const float width = std::round(std::max(first_size.x, second_size.x) + 3 * pad + 2 * icon);
   const float height = std::round(std::max(line, first_size.y) +
@@ -107,11 +109,11 @@ void Ui::draw_toast(std::size_t index, float& bottom) {
   draw_icon(list, sign, {x + icon / 2, at.y + px(9) + std::round(line / 2)}, icon,
             colour(toast.tone));
   list.AddText(font, font->FontSize, {x + icon + px(8), at.y + px(9)}, palette().text,
-               toast.what.c_str(), nullptr, wrap);
+               first.c_str());
   if (!second.empty()) {
     list.AddText(fonts_.small, fonts_.small->FontSize,
                  {x + icon + px(8), at.y + px(9) + first_size.y + px(4)}, palette().quiet,
-                 second.c_str(), nullptr, wrap);
+                 second.c_str());
   }
   ImGui::SetCursorScreenPos(at);
   if (ImGui::InvisibleButton("dismiss", {width, height})) toast.seconds_left = 0;

@@ -62,6 +62,7 @@ class Actions : public testing::Test {
     if (!planning) {
       state.candidate.emplace();
       state.candidate->clip = state.clip;
+      state.ways = {*state.candidate, *state.candidate};
     }
     return state;
   }
@@ -209,6 +210,26 @@ TEST_F(Actions, HeldKeysRepeatOnlyWhatMayRepeat) {
   held.key = 'P';
   EXPECT_FALSE(press(held, state, view, commands));
   EXPECT_EQ(commands.size(), 1u);
+}
+
+// Plus is typed with shift on a US keyboard, without it elsewhere, and stands on the keypad.
+TEST_F(Actions, TheInterfaceGrowsAndShrinksByEveryPlusAndMinus) {
+  EditorDriver driver;
+  constexpr int kEqual = 61, kMinus = 45, kZero = 48, kKeypadMinus = 333, kKeypadPlus = 334;
+  const auto scale_after = [&](int key, bool shift) {
+    driver.ui.key(key, {.control = true, .shift = shift});
+    return driver.view().scale;
+  };
+  EXPECT_EQ(scale_after(kEqual, true), 1.25);
+  EXPECT_EQ(scale_after(kEqual, false), 1.5);
+  EXPECT_EQ(scale_after(kKeypadPlus, false), 1.75);
+  EXPECT_EQ(scale_after(kMinus, false), 1.5);
+  EXPECT_EQ(scale_after(kKeypadMinus, false), 1.25);
+  EXPECT_EQ(scale_after(kZero, false), 1);
+  for (int i = 0; i < 20; ++i) scale_after(kEqual, false);
+  EXPECT_EQ(driver.view().scale, 3);
+  for (int i = 0; i < 20; ++i) scale_after(kMinus, false);
+  EXPECT_EQ(driver.view().scale, 0.75);
 }
 
 TEST_F(Actions, TypingIsNoShortcut) {

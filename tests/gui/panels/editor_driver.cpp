@@ -37,7 +37,8 @@ ScratchFolder::~ScratchFolder() {
   if (!path_.empty()) fs::remove_all(path_, ignored);
 }
 
-EditorDriver::EditorDriver(float width, float height) : ui(width, height) {
+EditorDriver::EditorDriver(float width, float height, const fs::path& recovery)
+    : editor({}, recovery), ui(width, height) {
   // As in the real window: keys are shortcuts, Dear ImGui does not navigate by them.
   ImGui::GetIO().ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
   ui.show([this](Ui& toolkit) { draw(toolkit); });

@@ -34,7 +34,9 @@ class ScratchFolder {
 
 class EditorDriver {
  public:
-  explicit EditorDriver(float width = 1600, float height = 1000);
+  // Unsaved work is kept in `recovery`; empty: nowhere.
+  explicit EditorDriver(float width = 1600, float height = 1000,
+                        const std::filesystem::path& recovery = {});
 
   const EditorState& state() const { return editor.state(); }
   ViewState& view() { return editor.view(); }

@@ -500,6 +500,84 @@ TEST_F(EditorTest, CorrectionsThatNoLongerFitAreFlaggedAndStopAnExport) {
   EXPECT_EQ(again.state().notices.back().kind, Notice::Kind::error);
 }
 
+// Those of another clip wait for it: they neither apply here nor stop an export.
+TEST_F(EditorTest, CorrectionsBelongToTheirClip) {
+  ASSERT_TRUE(open_alone());
+  ASSERT_TRUE(ready());
+  const auto& clips = state().session->scene.model().clips;
+  ASSERT_GE(clips.size(), 2u);
+  const int first = state().session->scene.clip;
+  const int second = first == 0 ? 1 : 0;
+  const double begin = state().begin, length = state().end - begin;
+  ASSERT_TRUE(correct(0, begin + 0.1 * length, begin + 0.7 * length));
+  const Correction made = driver.document().corrections.front();
+  EXPECT_EQ(made.clip, clips[static_cast<std::size_t>(first)].name);
+  EXPECT_EQ(driver.document().tasks.front().clip, made.clip);
+  driver.handle(SetWindow{Interval{begin, begin + 0.5 * length}, Phase::committed, 0});
+  const auto choose = [&](int clip) {
+    driver.handle(ChooseClip{std::to_string(clip)});
+    ASSERT_TRUE(driver.wait_until([&] { return !state().opening.active; }));
+    ASSERT_EQ(state().session->scene.clip, clip);
+    ASSERT_TRUE(ready());
+  };
+  const auto exported = [&](const std::string& name) {
+    driver.handle(Export{folder / name});
+    EXPECT_TRUE(driver.wait_until([&] { return !state().exporting.active; }));
+    return std::filesystem::exists(folder / name);
+  };
+  ASSERT_TRUE(exported("first.glb"));
+
+  choose(second);
+  EXPECT_EQ(driver.document().corrections, std::vector{made}) << "kept";
+  ASSERT_EQ(state().corrections.size(), 1u);
+  EXPECT_FALSE(state().corrections[0].of_this_clip);
+  EXPECT_TRUE(state().corrections[0].fits);
+  EXPECT_EQ(state().clip, state().source);
+  EXPECT_EQ(state().selected_correction, -1);
+  EXPECT_FALSE(driver.draft().window.has_value()) << "its times were the other clip's";
+  driver.ui.frame(2);
+  EXPECT_FALSE(driver.ui.has("Outliner/" + made.name));
+  EXPECT_FALSE(driver.ui.has("Clip time.mark.0"));
+  EXPECT_NE(driver.ui.dump().find("kept for another clip"), std::string::npos);
+  EXPECT_TRUE(exported("second.glb"));
+  EXPECT_TRUE(told("nothing corrected"));
+  driver.handle(ReplanCorrection{0});
+  EXPECT_FALSE(state().planning.active) << "there is nothing to replan here";
+
+  // One of its own, beside it, and all of it by way of a project.
+  ASSERT_TRUE(correct(0, state().begin + 0.1 * length, state().begin + 0.7 * length));
+  ASSERT_EQ(driver.document().corrections.size(), 2u);
+  EXPECT_TRUE(state().corrections[1].of_this_clip);
+  EXPECT_NE(state().clip, state().source);
+  EXPECT_TRUE(exported("second_corrected.glb"));
+  driver.handle(SaveProject{folder / "two.elbow"});
+  const Document saved = driver.document();
+  driver.handle(OpenFiles{{folder / "two.elbow"}});
+  ASSERT_TRUE(driver.wait_until([&] { return state().name == "two.elbow" && !state().dirty; }));
+  ASSERT_TRUE(driver.wait_until([&] { return !state().opening.active; }));
+  EXPECT_EQ(driver.document().corrections, saved.corrections);
+  ASSERT_EQ(state().corrections.size(), 2u);
+  EXPECT_FALSE(state().corrections[0].of_this_clip);
+
+  // Back again: what was made for the first clip lies over it, as before.
+  choose(first);
+  EXPECT_TRUE(state().corrections[0].of_this_clip);
+  EXPECT_FALSE(state().corrections[1].of_this_clip);
+  EXPECT_NE(state().clip, state().source);
+  ASSERT_TRUE(exported("first_again.glb"));
+  const auto bytes = [&](const std::string& name) {
+    std::ifstream in(folder / name, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  EXPECT_EQ(bytes("first.glb"), bytes("first_again.glb"));
+  EXPECT_NE(bytes("first.glb"), bytes("second_corrected.glb"));
+  // A choice of clip is a step like any other.
+  driver.handle(Undo{});
+  ASSERT_TRUE(driver.wait_until([&] { return state().session->scene.clip == second; }));
+  EXPECT_FALSE(state().corrections[0].of_this_clip);
+  EXPECT_TRUE(state().corrections[1].of_this_clip);
+}
+
 TEST_F(EditorTest, TimeStaysInTheClip) {
   ASSERT_TRUE(open_alone());
   driver.handle(Scrub{1e9});

@@ -3,7 +3,9 @@
 // document, one step of undo for one drag.
 #include <gtest/gtest.h>
 
+#include "app/editor/key_names.h"
 #include "core/editing/sampling_presets.h"
+#include "core/io/project_file.h"
 #include "tests/gui/panels/demo_stretch.h"
 #include "tests/gui/panels/editor_driver.h"
 #include "ui/toolkit/fields.h"
@@ -301,6 +303,64 @@ TEST_F(Panels, TargetTab) {
   EXPECT_EQ(state().target.status, TargetView::Status::none);
 }
 
+// Typed or dragged, beyond ±90° too: the other fields stay, and so does the one that is edited.
+TEST_F(Panels, TurnFieldsNeverMoveEachOther) {
+  driver().handle(SelectLimb{arm});
+  ui().click("Tabs/Target");
+  ui().click("Target here");
+  ui().frame(2);
+  const std::vector<std::string> names = {"Turn X", "Turn Y", "Turn Z"};
+  const auto shown = [&] {
+    std::vector<std::string> values;
+    for (const auto& name : names) values.push_back(ui().value(name));
+    return values;
+  };
+  const auto expect_others_stay = [&](std::size_t edited, const std::vector<std::string>& before) {
+    const auto after = shown();
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (i != edited) {
+        EXPECT_EQ(after[i], before[i]) << names[i] << " moved with " << names[edited];
+      }
+  };
+  for (const char* typed : {"150", "-120", "90", "271", "-400", "12.5"})
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const auto before = shown();
+      ui().double_click(names[i]);
+      ui().frame(2);
+      ui().type(typed);
+      ui().key(keys::kEnter);
+      ui().frame(2);
+      EXPECT_EQ(*typed_number(ui().value(names[i])), *typed_number(typed)) << names[i];
+      expect_others_stay(i, before);
+    }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto before = shown();
+    const double from = *typed_number(before[i]);
+    ui().hold({.control = true});  // faster: a degree a pixel
+    expect_one_step([&] { ui().drag(names[i], {170, 0}, 40); }, names[i].c_str());
+    ui().hold({});
+    ui().frame(2);
+    EXPECT_GT(*typed_number(ui().value(names[i])), from + 90);
+    expect_others_stay(i, before);
+    ui().wait(1);
+    expect_no_step([&] { drag_and_escape(names[i], {60, 0}); }, "Esc");
+    ui().frame(2);
+    expect_others_stay(i, before);
+  }
+  // Off and on again: the hand's own orientation, as when the target was made.
+  const Quat made = *[&] {
+    driver().handle(TargetFromPosture{});
+    return draft().target->orientation;
+  }();
+  ui().frame(2);
+  ui().click("Keep the hand's orientation");
+  EXPECT_FALSE(draft().target->orientation.has_value());
+  ui().frame(2);
+  expect_one_step([&] { ui().click("Keep the hand's orientation"); }, "keep");
+  ASSERT_TRUE(draft().target->orientation.has_value());
+  EXPECT_NEAR(std::abs(glm::dot(*draft().target->orientation, made)), 1, 1e-12);
+}
+
 // The hand target by its gizmo in the picture: the drag is one step, Esc takes it back.
 TEST_F(Panels, GizmoDrag) {
   driver().handle(SelectLimb{arm});
@@ -377,8 +437,11 @@ TEST_F(Panels, PlanSectionInAllStates) {
   EXPECT_EQ(state().clip, state().source);
   ui().click(name + ".Mute");
   EXPECT_FALSE(state().document->corrections.front().muted);
-  ui().double_click(row);
+  ui().click(ui().centre(row), 1);
+  ui().frame(2);
+  ui().click("Go to its beginning");
   EXPECT_NEAR(state().time, static_cast<double>(candidate.correction.begin), 1e-6);
+  ui().frame(2);
   ui().click(name + ".Replan");
   EXPECT_TRUE(state().document->corrections.empty());
   EXPECT_TRUE(state().planning.active);
@@ -392,6 +455,150 @@ TEST_F(Panels, PlanSectionInAllStates) {
   EXPECT_TRUE(state().document->corrections.empty());
   EXPECT_TRUE(state().document->tasks.empty());
   ASSERT_TRUE(driver().settle());
+}
+
+TEST_F(Panels, CorrectionsAreRenamedInTheirRow) {
+  ASSERT_TRUE(driver().plan(arm));
+  driver().handle(Accept{});
+  ui().frame(2);
+  const auto name = [&] { return state().document->corrections.front().name; };
+  const std::string first = name();
+  const auto type = [&](const std::string& text) {
+    ui().frame(3);
+    ASSERT_TRUE(ui().has("Correction name"));
+    ui().key('A', {.control = true});
+    ui().type(text);
+  };
+  // By a double click; Enter keeps it, and is not taken for Accept.
+  expect_one_step(
+      [&] {
+        ui().double_click("Outliner/" + first);
+        type("Past the post");
+        ui().key(keys::kEnter);
+        ui().frame(2);
+      },
+      "rename");
+  EXPECT_EQ(name(), "Past the post");
+  ui().frame(2);
+  EXPECT_FALSE(ui().has("Correction name"));
+  EXPECT_TRUE(ui().has("Outliner/Past the post"));
+  EXPECT_EQ(ui().value("Clip time.mark.0"), "Past the post") << "the timeline says so too";
+  // By F2; Esc gives it up.
+  ui().click("Outliner/Past the post");
+  ui().wait(1);
+  expect_no_step(
+      [&] {
+        ui().key(291);  // F2
+        type("no");
+        ui().key(keys::kEscape);
+        ui().frame(2);
+      },
+      "Esc");
+  EXPECT_FALSE(ui().has("Correction name"));
+  EXPECT_EQ(name(), "Past the post");
+  EXPECT_EQ(driver().view().dialog, Dialog::none);
+  // Nothing is no name; the same one is no step; a click elsewhere keeps what is typed.
+  expect_no_step(
+      [&] {
+        ui().key(291);
+        ui().frame(3);
+        ui().key('A', {.control = true});
+        ui().key(keys::kBackspace);
+        ui().key(keys::kEnter);
+        ui().frame(2);
+      },
+      "no name");
+  expect_no_step(
+      [&] {
+        ui().key(291);
+        ui().frame(3);
+        ui().key(keys::kEnter);
+        ui().frame(2);
+      },
+      "the same name");
+  EXPECT_FALSE(ui().has("Correction name"));
+  expect_one_step(
+      [&] {
+        ui().key(291);
+        type("Around it");
+        ui().click("Outliner/Scene");
+        ui().frame(2);
+      },
+      "a click elsewhere");
+  EXPECT_EQ(name(), "Around it");
+  // It is kept in the project, and when the correction is planned anew.
+  const auto file = folder_->path() / "renamed.elbow";
+  ASSERT_TRUE(write_project(file, *state().document).ok());
+  const auto read = read_project(file);
+  ASSERT_TRUE(read.ok());
+  EXPECT_EQ(read->corrections.front().name, "Around it");
+  driver().handle(ReplanCorrection{0});
+  ASSERT_TRUE(driver().wait_until([&] { return !state().planning.active; }));
+  ASSERT_TRUE(state().candidate.has_value());
+  driver().handle(Accept{});
+  EXPECT_EQ(name(), "Around it");
+  ASSERT_TRUE(driver().settle());
+}
+
+// A window that begins in contact can't be planned; what would do instead is one click away.
+TEST_F(Panels, AFailureOffersWhatWorks) {
+  const ProposedWindow& problem =
+      state().strip->limbs[static_cast<std::size_t>(arm)].windows.front();
+  const ContactInterval& contact = problem.contacts.front();
+  const double third = (contact.end - contact.begin) / 3;
+  driver().handle(
+      SetWindow{Interval{contact.begin + third, contact.end - third}, Phase::committed, arm});
+  driver().handle(Plan{});
+  ASSERT_TRUE(driver().wait_until([&] { return !state().planning.active; }));
+  ASSERT_TRUE(state().failure.has_value());
+  ASSERT_FALSE(state().failure->suggestions.empty());
+  const Suggestion suggestion = state().failure->suggestions.back();
+  ASSERT_TRUE(suggestion.works);
+  ASSERT_EQ(suggestion.kind, Suggestion::Kind::wider_window);
+  ui().frame(2);
+  expect_one_step([&] { ui().click("Use the wider window"); }, "the wider window");
+  driver().handle(Plan{});
+  EXPECT_EQ(*draft().window, suggestion.window);
+  ASSERT_TRUE(driver().wait_until([&] { return !state().planning.active; }));
+  EXPECT_TRUE(state().candidate.has_value()) << "what was tried works";
+}
+
+// Several ways: stepping through them changes what is shown and nothing else; what is accepted is
+// the one shown, in one step.
+TEST_F(Panels, WaysAreSteppedThrough) {
+  ASSERT_TRUE(driver().plan(arm));
+  ASSERT_TRUE(driver().settle());
+  // How many a scene holds is not the question here.
+  EditorState several = state();
+  several.ways = {*state().candidate, *state().candidate, *state().candidate};
+  several.ways[1].report.peak_speed += 1;
+  several.ways[2].report.peak_speed += 2;
+  ViewState view = driver().view();
+  EditorUi panels;
+  Commands commands;
+  UiDriver window(1600, 1000);
+  ImGui::GetIO().ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+  window.show([&](Ui& toolkit) {
+    press_keys(toolkit, several, view, commands);
+    panels.draw(toolkit, several, view, commands);
+  });
+  window.frame(3);
+  const auto wanted = [&]() -> std::optional<int> {
+    if (commands.size() != 1) return std::nullopt;
+    const auto* way = std::get_if<ShowWay>(&commands.front());
+    commands.clear();
+    return way ? std::optional(way->index) : std::nullopt;
+  };
+  EXPECT_EQ(window.widget("Plan/Way")->label, "Way 1 of 3");
+  window.click("Later way");
+  EXPECT_EQ(wanted(), 1);
+  window.click("Earlier way");
+  EXPECT_EQ(wanted(), -1) << "before the first comes the last";
+  window.key(keys::kPageDown);
+  EXPECT_EQ(wanted(), 1);
+  window.key(keys::kPageUp);
+  EXPECT_EQ(wanted(), -1);
+  ui().frame();
 }
 
 TEST_F(Panels, TimelineScrubsAndDrawsWindows) {

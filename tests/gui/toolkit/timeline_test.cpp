@@ -276,5 +276,56 @@ TEST(TimelineScale, TicksAreReadableAtEveryZoom) {
   }
 }
 
+// In the least height everything is there whole, at every scale.
+TEST(TimelineLayout, TheLeastHeightHoldsRowsMarksAndCurves) {
+  for (const double scale : {0.75, 1.0, 1.25, 2.0, 3.0}) {
+    UiDriver driver(1200, 900, scale);
+    TimelineModel model;
+    for (int rows = 1; rows <= 6; ++rows) {
+      model.rows.push_back({"Limb " + std::to_string(rows)});
+      const float height = driver.ui().px(least_timeline_height(rows));
+      const TimelineLayout layout =
+          lay_out(driver.ui(), model, {}, {{0, 0}, {1200, height}}, TimelineOptions().label_width);
+      EXPECT_EQ(layout.most_scroll, 0);
+      if (rows > 1) {
+        EXPECT_GE(layout.rows[1].min.y - layout.rows[0].min.y,
+                  driver.ui().fonts().regular->FontSize);
+      }
+      EXPECT_LE(layout.rows.back().max.y, layout.marks.min.y);
+      EXPECT_GE(layout.marks.height(), driver.ui().fonts().regular->FontSize);
+      EXPECT_GE(layout.curves.height(), driver.ui().fonts().regular->FontSize);
+      EXPECT_LE(layout.curves.max.y, height);
+    }
+  }
+}
+
+TEST(TimelineLayout, RowsThatDoNotFitScrollByTheirBar) {
+  UiDriver driver(800, 200);
+  TimelineModel model;
+  for (int i = 0; i < 20; ++i) model.rows.push_back({"Limb " + std::to_string(i)});
+  TimelineView view;
+  driver.show([&](Ui& ui) {
+    const Panel panel(ui, "Time", {{0, 0}, {800, 200}}, {.padded = false, .scrolls = false});
+    EXPECT_TRUE(timeline(ui, "timeline", model, view).empty()) << "scrolling is no edit";
+  });
+  driver.frame(2);
+  const auto in_sight = [&](int row) {
+    const TimelineLayout layout =
+        lay_out(driver.ui(), model, view, {{0, 0}, {800, 200}}, TimelineOptions().label_width);
+    const Rect& place = layout.rows[static_cast<std::size_t>(row)];
+    return place.min.y >= layout.row_area.min.y && place.max.y <= layout.row_area.max.y;
+  };
+  EXPECT_TRUE(in_sight(0));
+  EXPECT_FALSE(in_sight(19));
+  driver.drag("timeline.scroll", {0, 300});
+  EXPECT_TRUE(in_sight(19));
+  EXPECT_FALSE(in_sight(0));
+  driver.drag("timeline.scroll", {0, -300});
+  EXPECT_TRUE(in_sight(0));
+  driver.move_to(ImVec2{20, 60});
+  for (int i = 0; i < 20; ++i) driver.wheel(-1);
+  EXPECT_TRUE(in_sight(19));
+}
+
 }  // namespace
 }  // namespace elbowroom

@@ -448,5 +448,39 @@ TEST_F(Widgets, EmptyAndHugeTextsAreDrawn) {
   EXPECT_LT(driver.draw_data()->TotalVtxCount, 60000);
 }
 
+TEST_F(Widgets, TextIsWrappedBetweenWords) {
+  ImFont* font = driver.ui().fonts().small;
+  const std::string text =
+      "Most in the way: umbrella.glb/Umbrella with posts.glb/RightPost at 1.725 s.\n"
+      "A wider window, 1.425 to 2.223 s, would do.";
+  for (float width = 1; width < 700; width += 7) {
+    const std::string lines = wrapped(font, text, width);
+    std::string joined = lines;
+    std::size_t begin = 0;
+    while (begin < lines.size()) {
+      const std::size_t end = std::min(lines.find('\n', begin), lines.size());
+      const std::string line = lines.substr(begin, end - begin);
+      if (width > 20) {
+        EXPECT_LE(size_of(font, line).x, width) << line;
+      }
+      if (width > 150 && end < lines.size()) {
+        // A line begins and ends with a whole word.
+        EXPECT_TRUE(text.find(line + " ") != std::string::npos ||
+                    text.find(line + "\n") != std::string::npos)
+            << line;
+      }
+      begin = end + 1;
+    }
+    // Nothing is lost.
+    const auto bare = [](std::string s) {
+      std::erase_if(s, [](char c) { return c == ' ' || c == '\n'; });
+      return s;
+    };
+    EXPECT_EQ(bare(joined), bare(text));
+  }
+  EXPECT_EQ(wrapped(font, "", 100), "");
+  EXPECT_EQ(wrapped(font, "a\n\nb", 100), "a\n\nb");
+}
+
 }  // namespace
 }  // namespace elbowroom

@@ -13,7 +13,8 @@ if(TARGET elbowroom)
       set(limit 900)
     endif()
     elbowroom_tests(${name} ${folder} LABEL ${label} TIMEOUT ${limit} SERIAL
-      LINK elbowroom_judge elbowroom_io elbowroom_anatomy nlohmann_json::nlohmann_json)
+      LINK elbowroom_judge elbowroom_io elbowroom_anatomy elbowroom_app glfw
+           nlohmann_json::nlohmann_json)
     if(TARGET ${name})
       target_sources(${name} PRIVATE ${CMAKE_CURRENT_LIST_DIR}/driver/driven_editor.cpp
                                      ${CMAKE_CURRENT_LIST_DIR}/driver/screen.cpp)

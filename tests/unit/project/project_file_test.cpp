@@ -116,6 +116,38 @@ TEST_F(ProjectFile, EverythingComesBackToTheBit) {
   }
 }
 
+TEST_F(ProjectFile, TasksAndCorrectionsKeepTheirClip) {
+  Document document = full_document(folder_);
+  document.tasks[0].clip = "Run";
+  document.corrections.push_back(document.corrections[0]);
+  document.corrections[0].clip = "Run";
+  ASSERT_TRUE(write_project(folder_ / "p.elbow", document).ok());
+  const auto read = read_project(folder_ / "p.elbow");
+  ASSERT_TRUE(read.ok()) << read.error().message();
+  EXPECT_EQ(read->tasks, document.tasks);
+  EXPECT_EQ(read->corrections, document.corrections);
+  // From before they had one: corrections were of the clip that the project has chosen; what is
+  // wished for is wished for any.
+  auto old = saved();
+  for (auto& correction : old["corrections"]) correction.erase("clip");
+  for (auto& task : old["tasks"]) task.erase("clip");
+  put(old.dump());
+  const auto from_before = read_project(folder_ / "p.elbow");
+  ASSERT_TRUE(from_before.ok());
+  for (const Correction& correction : from_before->corrections)
+    EXPECT_EQ(correction.clip, document.scene.clip);
+  for (const Task& task : from_before->tasks) EXPECT_EQ(task.clip, "");
+  for (const char* part : {"tasks", "corrections"}) {
+    auto damaged = saved();
+    damaged[part][0]["clip"] = 7;
+    put(damaged.dump());
+    const auto refused = read_project(folder_ / "p.elbow");
+    ASSERT_FALSE(refused.ok()) << part;
+    EXPECT_NE(refused.error().where.find("/clip"), std::string::npos);
+    put(old.dump());
+  }
+}
+
 TEST_F(ProjectFile, ReachesAndTheDraftComeBackWhole) {
   Document document = full_document(folder_);
   Task reach;

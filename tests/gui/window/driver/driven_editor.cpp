@@ -72,6 +72,7 @@ bool DrivenEditor::start(const std::vector<std::string>& files) {
     setenv("DISPLAY", screen_.display().c_str(), 1);
     setenv("HOME", folder_.c_str(), 1);
     setenv("XDG_CONFIG_HOME", (folder_ / "config").c_str(), 1);
+    setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1);
     unsetenv("WAYLAND_DISPLAY");
     std::vector<std::string> words = {ELBOWROOM_PROGRAM, "--frame-log", folder_ / "frames",
                                       "--widget-log", folder_ / "widgets"};
@@ -96,6 +97,12 @@ bool DrivenEditor::running() {
 std::optional<int> DrivenEditor::ended(double seconds) {
   for (const double end = now() + seconds; running() && now() < end;) pause(0.02);
   return exit_code_;
+}
+
+void DrivenEditor::end_by(int signal) {
+  if (!running()) return;
+  kill(program_, signal);
+  ended();
 }
 
 std::string DrivenEditor::said() const { return text_of(folder_ / "said"); }
@@ -238,6 +245,10 @@ void DrivenEditor::release(int button) {
   tool({"mouseup", std::to_string(button)});
   drawn(before);
 }
+
+void DrivenEditor::hold(const std::string& key) { tool({"keydown", key}); }
+
+void DrivenEditor::let_go(const std::string& key) { tool({"keyup", key}); }
 
 bool DrivenEditor::click(const std::string& name) {
   if (!wait([&] {

@@ -49,6 +49,7 @@ class DrivenEditor {
   bool running();
   // Its exit code (128 + signal) once it has ended by itself.
   std::optional<int> ended(double seconds = 20);
+  void end_by(int signal);   // kill(2)
   std::string said() const;  // on its outputs
 
   // Eyes.
@@ -79,6 +80,8 @@ class DrivenEditor {
   void move_to(Pixel place);
   void press(int button = 1);
   void release(int button = 1);
+  void hold(const std::string& key);  // a modifier, until it is let go
+  void let_go(const std::string& key);
   void glide(Pixel from, Pixel to, int steps, double seconds_between);
   int actions() const { return actions_; }
 
