@@ -33,6 +33,7 @@ bool same_view(const ViewState& a, const ViewState& b) {
          a.navigation == b.navigation && a.frames == b.frames && a.light_theme == b.light_theme &&
          a.scale == b.scale && a.tab == b.tab && a.gizmo_mode == b.gizmo_mode &&
          a.gizmo_space == b.gizmo_space && a.placing_target == b.placing_target &&
+         a.rename.correction == b.rename.correction && a.rename.text == b.rename.text &&
          a.dialog == b.dialog && a.frame_all == b.frame_all &&
          a.frame_selection == b.frame_selection;
 }
@@ -59,6 +60,7 @@ class Actions : public testing::Test {
     state.undo_name = "Set window";
     state.redo_name = "Seed 2";
     state.planning.active = planning;
+    state.selected_correction = 0;
     if (!planning) {
       state.candidate.emplace();
       state.candidate->clip = state.clip;
@@ -70,6 +72,7 @@ class Actions : public testing::Test {
     document_ = session_->document;
     document_.draft.limb = session_->limbs.front().limb.name;
     document_.draft.window = Interval{1, 2};
+    document_.corrections.emplace_back().name = "Past the post";
   }
   static Effect effect_of(const std::function<void(ViewState&, Commands&)>& act) {
     Effect effect;
@@ -163,6 +166,11 @@ TEST_F(Actions, KeysAndMenusDoWhatTheTableSays) {
       EXPECT_EQ(view.light_theme, expected.light_theme) << action.title;
       EXPECT_EQ(view.placing_target, expected.placing_target) << action.title;
       if (view.dialog != Dialog::none) driver.key(keys::kEscape);
+      if (view.rename.correction >= 0) {  // a name is being typed
+        driver.frame(3);
+        driver.key(keys::kEscape);
+        driver.frame(2);
+      }
       EXPECT_EQ(view.dialog, Dialog::none) << action.title;
       ++tried;
     }
