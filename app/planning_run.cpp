@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/planning_run.h"
 
+#include <algorithm>
+
 #include "app/delivery.h"
 #include "app/exit_codes.h"
 #include "app/terminal.h"
@@ -72,12 +74,20 @@ int run_planning(const PlanningRun& run, Interruption& interruption) {
   }
   if (Status outputs = check_outputs(run, files); !outputs) return refused(outputs.error());
 
+  // What limbs other clips' tasks name is not looked at: a session without limbs of its own tells
+  // whose the tasks are.
+  std::vector<Task> tasks = run.tasks;
+  if (std::any_of(tasks.begin(), tasks.end(),
+                  [](const Task& task) { return !task.clip.empty(); })) {
+    const auto plain = open_session(run.document, {});
+    if (!plain) return refused(plain.error());
+    tasks = tasks_of_clip(*plain, run.tasks);
+  }
   std::vector<std::string> limbs;
-  for (const Task& task : run.tasks) limbs.push_back(task.limb);
+  for (const Task& task : tasks) limbs.push_back(task.limb);
   auto session = open_session(run.document, limbs);
   if (!session) return refused(session.error());
   print_warnings(session->warnings);
-  const std::vector<Task> tasks = tasks_of_clip(*session, run.tasks);
   for (const Task& task : tasks)
     if (const auto found = limbs_named(*session, task.limb); !found) return refused(found.error());
   const ProgressSink progress = terminal_progress();

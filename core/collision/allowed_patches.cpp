@@ -93,6 +93,8 @@ AllowedPatches::AllowedPatches(int count_a, int count_b) : patches_a(count_a), p
 void AllowedPatches::allow(int patch_a, int patch_b, std::uint8_t reason) {
   const std::size_t at = static_cast<std::size_t>(patch_a) * static_cast<std::size_t>(patches_b) +
                          static_cast<std::size_t>(patch_b);
+  if ((reason & kClip) && !(reasons[at] & kClip))
+    clip_pairs.push_back(static_cast<std::uint32_t>(at));
   reasons[at] |= reason;
   any[at] = true;
   if (reason & (kShared | kBind)) always[at] = true;
@@ -109,22 +111,13 @@ double AllowedPatches::depth_about(int part_a, int part_b, double t, double memo
   return deepest;
 }
 
-bool AllowedPatches::clip_touches(std::size_t at, double from, double to, double memory) const {
-  const auto known = clip_times.find(static_cast<std::uint32_t>(at));
-  if (known == clip_times.end()) return false;
-  // The first that does not end too early for `to`.
-  const auto& times = known->second;
-  const auto touching =
-      std::lower_bound(times.begin(), times.end(), to - memory,
-                       [](const Stretch& stretch, double time) { return stretch.end < time; });
-  return touching != times.end() && touching->begin <= from + memory;
-}
-
-std::vector<bool> AllowedPatches::allowed_throughout(double from, double to, double memory) const {
-  std::vector<bool> allowed = always;
-  for (const auto& [at, times] : clip_times)
-    if (clip_touches(at, from, to, memory)) allowed[at] = true;
-  return allowed;
+bool AllowedPatches::clip_touches(int part_a, int part_b, double from, double to,
+                                  double memory) const {
+  const auto known = clip_depths.find({part_a, part_b});
+  if (known == clip_depths.end()) return false;
+  const auto at = std::lower_bound(known->second.begin(), known->second.end(), to - memory,
+                                   [](const DepthAt& d, double time) { return d.time < time; });
+  return at != known->second.end() && at->time <= from + memory;
 }
 
 bool AllowedPatches::empty() const {

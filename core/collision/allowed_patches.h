@@ -9,13 +9,12 @@
 //    the limb's length.
 //  * bind_pose: the patches touch in the bind pose.
 //  * clip: the two parts are in contact in the source clip, and these patches are then within
-//    CollisionSettings::touch_reach; allowed about the times at which the clip has these very
-//    patches so, to the depth it has the two parts then.
+//    CollisionSettings::touch_reach; allowed about the times at which the clip has the parts in
+//    contact, to the depth it has then.
 #pragma once
 
 #include <cstdint>
 #include <map>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -37,20 +36,13 @@ struct AllowedPatches {
     double time = 0, depth = 0;
   };
   std::map<std::pair<int, int>, std::vector<DepthAt>> clip_depths;  // times ascend
-  // And by pair of patches (as in `reasons`): the times it has them touch, from look to look;
-  // ascending and apart.
-  struct Stretch {
-    double begin = 0, end = 0;  // seconds
-  };
-  std::unordered_map<std::uint32_t, std::vector<Stretch>> clip_times;
+  std::vector<std::uint32_t> clip_pairs;  // of patches, for the clip's sake; places in `reasons`
 
   // The deepest the clip has two parts within `memory` seconds of t; negative if it does not.
   double depth_about(int part_a, int part_b, double t, double memory) const;
-  // Whether the clip has a pair of patches (a place in `reasons`) touch about every time of
-  // [from, to]: within `memory` seconds of it, all by the same touching.
-  bool clip_touches(std::size_t at, double from, double to, double memory) const;
-  // `always`, and what clip_touches.
-  std::vector<bool> allowed_throughout(double from, double to, double memory) const;
+  // Whether the clip has two parts in contact about every time of [from, to]: at one time within
+  // `memory` seconds of all of it.
+  bool clip_touches(int part_a, int part_b, double from, double to, double memory) const;
 
   AllowedPatches() = default;
   AllowedPatches(int count_a, int count_b);

@@ -121,7 +121,16 @@ struct Proof {
       return true;
     if (!pair.allowed || pair.allowed->clip_depth.empty()) return false;
     // What the clip touches at these very times may touch, and how deep is known at samples only.
-    const auto allowed = pair.allowed->allowed_throughout(begin, end, data.clip_memory);
+    std::vector<bool> allowed = pair.allowed->always;
+    const auto columns = static_cast<std::uint32_t>(pair.allowed->patches_b);
+    for (const std::uint32_t at : pair.allowed->clip_pairs) {
+      const auto part = [](const CollisionBody& body, std::uint32_t patch) {
+        return body.triangles()[body.triangles_of_patch(static_cast<int>(patch)).front()].part;
+      };
+      if (pair.allowed->clip_touches(part(a, at / columns), part(b, at % columns), begin, end,
+                                     data.clip_memory))
+        allowed[at] = true;
+    }
     if (reached(patch_filter(a, b, allowed))) return false;
     for (const auto& [parts, depth] : pair.allowed->clip_depth) depth_sampled.insert(parts);
     return true;

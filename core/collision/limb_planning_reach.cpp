@@ -61,7 +61,7 @@ void LimbPlanningSpace::Data::find_reachable(const FrameTracks::Cell& cell) {
     const auto p = static_cast<std::size_t>(segment.still[s]);
     const Vec3 at = pieces[p].node_from_part * pieces[p].centre;
     const NodeFrame &f0 = tracks->frame(cell.row, track_of[p]),
-                &f1 = tracks->frame(cell.row + 1, track_of[p]);
+                    &f1 = tracks->frame(cell.row + 1, track_of[p]);
     const Vec3 turned[2] = {f0.rotation * at, f1.rotation * at};
     const Vec3 ends[2] = {f0.place + turned[0], f1.place + turned[1]};
     // Turning between two rows leaves the chord by at most the chord's length.

@@ -89,26 +89,41 @@ std::vector<double> clip_times(const Data& data) {
 // What the clip has in contact over time, gathered aside: what is allowed so far must not split the
 // contacts of two parts, which are measured as one.
 struct ClipTouch {
-  AllowedPatches found;
-  std::map<std::uint32_t, int> look_of;  // by pair of patches: the look that saw it last
+  std::map<std::pair<int, int>, double> depth;  // by parts: the deepest
+  std::map<std::pair<int, int>, std::vector<AllowedPatches::DepthAt>> depths;
+  std::set<std::pair<std::uint16_t, std::uint16_t>> patches;
+  bool looked = false;
+  std::map<std::pair<int, int>, double> last;  // how deep they were at the last look
 };
 
-// One look at the clip as it is posed. Between two looks nothing is guessed: what the clip has at
-// the very time that is asked about is allowed by definition (excuse_by_source).
-void look_at_clip(Data& data, TestPair& pair, int look, ClipTouch& touch) {
+// One look at the clip as it is posed. Between two looks the clip may be deeper than at either, by
+// half their difference at the slopes seen.
+void look_at_clip(Data& data, TestPair& pair, ClipTouch& touch) {
   const auto touching = contact_groups(data, pair, data.touching(), &pair.allowed->always);
-  if (touching.empty()) return;
-  AllowedPatches& found = touch.found;
-  std::map<std::pair<int, int>, double> parts;
+  const bool first = !touch.looked;
+  touch.looked = true;
+  const std::map<std::pair<int, int>, double> before = std::move(touch.last);
+  touch.last.clear();
+  if (touching.empty() && before.empty()) return;
+  std::map<std::pair<int, int>, double>& parts = touch.last;
   for (const ContactGroup& group : touching) {
     double& now = parts[{group.part_a, group.part_b}];
     now = std::max(now, group.depth);
   }
+  const auto deepen = [&](const std::pair<int, int>& key, double now, double then) {
+    const double about = std::max(now, then) + 0.5 * std::abs(now - then);
+    double& depth = touch.depth[key];
+    depth = std::max(depth, about);
+    touch.depths[key].push_back({data.posed_at, about});
+  };
   for (const auto& [key, now] : parts) {
-    double& depth = found.clip_depth[key];
-    depth = std::max(depth, now);
-    found.clip_depths[key].push_back({data.posed_at, now});
+    const auto earlier = before.find(key);
+    // Of what came before the first look nothing is known, nor asked.
+    deepen(key, now, first ? now : earlier == before.end() ? 0.0 : earlier->second);
   }
+  for (const auto& [key, then] : before)
+    if (!parts.contains(key)) deepen(key, 0.0, then);
+  if (touching.empty()) return;
   // Where two parts are in contact, what is near beside it is part of the same touching: an arm
   // that rests on a coat slides over it as it moves, and stays as shallow as the clip has it.
   const auto near = contact_groups(
@@ -116,26 +131,13 @@ void look_at_clip(Data& data, TestPair& pair, int look, ClipTouch& touch) {
       &pair.allowed->always, Depth::left_out);
   for (const ContactGroup& group : near)
     if (parts.contains({group.part_a, group.part_b}))
-      for (const auto& [p, q] : group.patch_pairs) {
-        const std::uint32_t at =
-            static_cast<std::uint32_t>(p) * static_cast<std::uint32_t>(pair.allowed->patches_b) + q;
-        auto& stretches = found.clip_times[at];
-        const auto [seen, fresh] = touch.look_of.try_emplace(at, look);
-        if (fresh || seen->second != look - 1)
-          stretches.push_back({data.posed_at, data.posed_at});
-        else
-          stretches.back().end = data.posed_at;
-        seen->second = look;
-      }
+      touch.patches.insert(group.patch_pairs.begin(), group.patch_pairs.end());
 }
 
 void allow_from_clip(ClipTouch&& touch, AllowedPatches& allowed) {
-  for (const auto& [at, stretches] : touch.found.clip_times)
-    allowed.allow(static_cast<int>(at) / allowed.patches_b,
-                  static_cast<int>(at) % allowed.patches_b, AllowedPatches::kClip);
-  allowed.clip_depth = std::move(touch.found.clip_depth);
-  allowed.clip_depths = std::move(touch.found.clip_depths);
-  allowed.clip_times = std::move(touch.found.clip_times);
+  for (const auto& [p, q] : touch.patches) allowed.allow(p, q, AllowedPatches::kClip);
+  allowed.clip_depth = std::move(touch.depth);
+  allowed.clip_depths = std::move(touch.depths);
 }
 
 void list_entries(Data& data) {
@@ -214,12 +216,11 @@ bool find_allowed_contacts(Data& data, const std::stop_token& stop) {
   const std::vector<double> times = clip_times(data);
   for (std::size_t i = 1; i < times.size(); ++i)
     data.clip_memory = std::max(data.clip_memory, 2 * (times[i] - times[i - 1]));
-  for (std::size_t i = 0; i < times.size(); ++i) {
+  for (const double t : times) {
     if (stop.stop_requested()) return false;
-    data.pose(times[i], true);
+    data.pose(t, true);
     for (TestPair& pair : data.pairs_now().pairs)
-      if (pair.clip_may_allow)
-        look_at_clip(data, pair, static_cast<int>(i), touches[{pair.a, pair.b}]);
+      if (pair.clip_may_allow) look_at_clip(data, pair, touches[{pair.a, pair.b}]);
   }
   for (auto& [bodies, touch] : touches)
     allow_from_clip(std::move(touch), data.allowed_pairs.at(bodies));

@@ -224,11 +224,6 @@ std::vector<ContactGroup> contact_groups(Data& data, const TestPair& pair, doubl
                 skip ? patch_filter(a, b, *skip) : PatchFilter{}, contacts);
   const bool same_body = data.roles[static_cast<std::size_t>(pair.a)].own &&
                          data.roles[static_cast<std::size_t>(pair.b)].own;
-  const auto clip_has = [&](std::uint16_t p, std::uint16_t q) {
-    const std::size_t at =
-        static_cast<std::size_t>(p) * static_cast<std::size_t>(pair.allowed->patches_b) + q;
-    return pair.allowed->clip_touches(at, data.posed_at, data.posed_at, data.clip_memory);
-  };
   std::map<std::tuple<int, int, std::uint8_t>, std::size_t> number;
   for (const TriangleContact& contact : contacts) {
     const std::uint16_t p = a.patch_of()[contact.triangle_a], q = b.patch_of()[contact.triangle_b];
@@ -240,8 +235,7 @@ std::vector<ContactGroup> contact_groups(Data& data, const TestPair& pair, doubl
       continue;
     const int part_a = a.triangles()[contact.triangle_a].part;
     const int part_b = b.triangles()[contact.triangle_b].part;
-    std::uint8_t reason = pair.allowed ? strongest(pair.allowed->reasons_of(p, q)) : 0;
-    if (reason == AllowedPatches::kClip && !clip_has(p, q)) reason = 0;
+    const std::uint8_t reason = pair.allowed ? strongest(pair.allowed->reasons_of(p, q)) : 0;
     const auto [at, fresh] = number.try_emplace({part_a, part_b, reason}, groups.size());
     if (fresh) {
       groups.emplace_back();

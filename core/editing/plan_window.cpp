@@ -162,9 +162,11 @@ class WindowPlanner {
       const std::string hit = verify(way, report);
       take_costs(report);
       if (!hit.empty()) {
-        report_.reason = "the planned motion touches on the deformed skin";
-        report_.blocked_by = hit;
-        found += (found.empty() ? "" : "; ") + report_.reason + ", " + hit;
+        report_.reason = unkeyed_.empty() ? "the planned motion touches on the deformed skin"
+                                          : "the planned motion can't be made keys: " + unkeyed_;
+        report_.blocked_by = unkeyed_.empty() ? hit : "";
+        found +=
+            (found.empty() ? "" : "; ") + report_.reason + (unkeyed_.empty() ? ", " + hit : "");
         continue;
       }
       found += (found.empty() ? "" : "; ") +
@@ -208,7 +210,8 @@ class WindowPlanner {
   // Empty and one more in held_, or what it touches.
   std::string verify(const Way& way, WindowReport& report) {
     auto keyed = key_motion(p_, way.motion);
-    if (!keyed) return keyed.error().message();
+    unkeyed_ = keyed ? std::string() : keyed.error().message();
+    if (!keyed) return unkeyed_;
     const std::string hit = verify_keys(p_, *keyed, way.seed, stop_, progress_, report);
     if (!hit.empty()) return hit;
     report.status = CorrectionStatus::corrected;
@@ -281,6 +284,7 @@ class WindowPlanner {
   const PlanningWishes& wishes_;
   const std::stop_token& stop_;
   const ProgressSink& progress_;
+  std::string unkeyed_;  // why the last motion could not be made keys; usually empty
   bool brief_ = false;
   int asked_ = 1;
   WindowReport report_;

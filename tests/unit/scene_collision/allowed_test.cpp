@@ -137,22 +137,21 @@ TEST(AllowedContacts, TheThighIsBrushedWhenTheClipBrushesItAndNotBefore) {
   EXPECT_TRUE(b.scene.limb_in_contact(0.3, 0, kEpsilon)) << "the clip's hand is far away then";
 }
 
-TEST(AllowedContacts, PatchesTouchAboutTheTimesTheClipHasThemTouch) {
+TEST(AllowedContacts, PartsTouchAboutTheTimesTheClipHasThemTouch) {
   AllowedPatches allowed(2, 3);
-  allowed.clip_times[4] = {{0.2, 0.3}, {0.9, 1.0}};
+  allowed.clip_depths[{7, 9}] = {{0.2, 0.01}, {0.25, 0.02}, {0.3, 0.01}, {0.9, 0.03}};
   const double memory = 0.1;
-  EXPECT_FALSE(allowed.clip_touches(4, 0.05, 0.05, memory));
-  EXPECT_TRUE(allowed.clip_touches(4, 0.11, 0.39, memory));
-  EXPECT_FALSE(allowed.clip_touches(4, 0.11, 0.5, memory)) << "not throughout";
-  EXPECT_FALSE(allowed.clip_touches(4, 0.6, 0.6, memory));
-  EXPECT_TRUE(allowed.clip_touches(4, 0.81, 5.0, 10.0)) << "another touching reaches it";
-  EXPECT_FALSE(allowed.clip_touches(3, 0.25, 0.25, memory)) << "another pair";
-  EXPECT_FALSE(allowed.clip_touches(4, std::nan(""), 0.25, memory));
-  allowed.allow(0, 1, AllowedPatches::kBind);
-  const std::vector<bool> at = allowed.allowed_throughout(0.25, 0.3, memory);
-  EXPECT_EQ(at, (std::vector<bool>{false, true, false, false, true, false}));
-  EXPECT_EQ(allowed.allowed_throughout(0.6, 0.7, memory),
-            (std::vector<bool>{false, true, false, false, false, false}));
+  EXPECT_FALSE(allowed.clip_touches(7, 9, 0.05, 0.05, memory));
+  EXPECT_TRUE(allowed.clip_touches(7, 9, 0.11, 0.29, memory));
+  EXPECT_FALSE(allowed.clip_touches(7, 9, 0.11, 0.5, memory)) << "not throughout";
+  EXPECT_FALSE(allowed.clip_touches(7, 9, 0.6, 0.6, memory));
+  EXPECT_FALSE(allowed.clip_touches(9, 7, 0.25, 0.25, memory)) << "another pair";
+  EXPECT_FALSE(allowed.clip_touches(7, 9, std::nan(""), 0.25, memory));
+  EXPECT_EQ(allowed.depth_about(7, 9, 0.35, memory), 0.02);
+  EXPECT_LT(allowed.depth_about(7, 9, 0.6, memory), 0);
+  allowed.allow(1, 2, AllowedPatches::kClip);
+  allowed.allow(1, 2, AllowedPatches::kClip);
+  EXPECT_EQ(allowed.clip_pairs, (std::vector<std::uint32_t>{5}));
 }
 
 TEST(AllowedContacts, AnotherPartOfTheThighIsNotAllowed) {
