@@ -158,7 +158,9 @@ Panel::~Panel() = default;
 
 float panel_content_height(std::string_view name) {
   const ImGuiWindow* window = ImGui::FindWindowByName(std::string(name).c_str());
-  return window ? window->ContentSize.y + 2 * window->WindowPadding.y : 0;
+  if (!window) return 0;
+  // Its ContentSize is what the last frame but one held, until the next Begin.
+  return window->DC.CursorMaxPos.y - window->DC.CursorStartPos.y + 2 * window->WindowPadding.y;
 }
 
 Edit splitter_between_columns(Ui& ui, std::string_view name, float x, float top, float bottom,
