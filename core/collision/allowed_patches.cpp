@@ -98,6 +98,7 @@ void AllowedPatches::allow(int patch_a, int patch_b, std::uint8_t reason) {
   reasons[at] |= reason;
   any[at] = true;
   if (reason & (kShared | kBind)) always[at] = true;
+  regions_ = {};
 }
 
 double AllowedPatches::depth_about(int part_a, int part_b, double t, double memory) const {
@@ -122,6 +123,16 @@ bool AllowedPatches::clip_touches(int part_a, int part_b, double from, double to
 
 bool AllowedPatches::empty() const {
   return std::all_of(reasons.begin(), reasons.end(), [](std::uint8_t r) { return r == 0; });
+}
+
+PatchFilter AllowedPatches::filter(const CollisionBody& a, const CollisionBody& b,
+                                   Reasons which) const {
+  PatchFilter filter = patch_filter(a, b, which == Reasons::all ? any : always);
+  const std::size_t i = which == Reasons::all ? 1 : 0;
+  if (!regions_.known[i]) regions_.of[i] = patch_regions(a.mesh(), b.mesh(), filter);
+  regions_.known[i] = true;
+  filter.regions = regions_.of[i].get();
+  return filter;
 }
 
 PatchFilter patch_filter(const CollisionBody& a, const CollisionBody& b,

@@ -15,16 +15,19 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "core/collision/collision_body.h"
+#include "core/collision/patch_regions.h"
 #include "core/collision/surface_patches.h"
 
 namespace elbowroom {
 
 struct AllowedPatches {
   static constexpr std::uint8_t kShared = 1, kBind = 2, kClip = 4;
+  enum class Reasons { lasting, all };  // kShared and kBind; or kClip too
 
   int patches_a = 0, patches_b = 0;
   std::vector<std::uint8_t> reasons;                 // a bit set for each pair: p · patches_b + q
@@ -52,6 +55,18 @@ struct AllowedPatches {
                    static_cast<std::size_t>(patch_b)];
   }
   bool empty() const;
+
+  // A filter over the triangles of the two bodies these are for: `always`, or `any`. Keeps
+  // references to this and to the bodies, until allow() is called.
+  PatchFilter filter(const CollisionBody& a, const CollisionBody& b, Reasons which) const;
+
+ private:
+  // Of `always` and of `any`, when first asked for.
+  struct Regions {
+    std::shared_ptr<const PatchRegions> of[2];
+    bool known[2] = {false, false};
+  };
+  mutable Regions regions_;
 };
 
 // A filter over the triangles of two bodies. Keeps references.

@@ -44,6 +44,7 @@ struct Entry {
   Box box;               // of `against`, in its own frame
   float shrinks;         // of `box`
   float bound;           // lower bound of the distance; visit_closest_pairs only
+  std::uint64_t classes;  // of patches, of `against` (patch_regions.h)
   int side;
 };
 
@@ -52,6 +53,8 @@ constexpr int kStack = 2 * BoxTree::kMaxDepth * BoxTree::kWidth + BoxTree::kWidt
 
 struct Pair {
   Frame frame[2];
+  const std::uint64_t* classes[2];  // of patches, by box; both null: nothing is allowed
+  std::uint64_t all_classes[2];
   double slack;  // more than all rounding of a test, and R's distance from a rotation
 };
 
@@ -68,7 +71,7 @@ void set_frame(Frame& frame, const BoxTree& tree, const Mat3& rotation, const Ve
 
 // False if spheres around the two meshes are farther apart than `distance`.
 bool set_pair(Pair& pair, const BoxTree& a, const BoxTree& b, const RigidTransform& a_from_b,
-              double distance) {
+              double distance, const PatchRegions* regions) {
   const Vec3 offset = a_from_b * b.origin - a.origin;
   const double reach = a.radius() + b.radius();
   const double length = glm::length(offset);
@@ -83,6 +86,11 @@ bool set_pair(Pair& pair, const BoxTree& a, const BoxTree& b, const RigidTransfo
   if (length > (reach + distance) * (1 + 1e-9) + 1e-14 * coarse + 4 * defect * (reach + coarse)) {
     return false;
   }
+  const bool fit = regions && regions->fit(a, b);
+  pair.classes[0] = fit ? regions->of_a.data() : nullptr;
+  pair.classes[1] = fit ? regions->of_b.data() : nullptr;
+  pair.all_classes[0] = fit ? regions->all_a : ~std::uint64_t{0};
+  pair.all_classes[1] = fit ? regions->all_b : ~std::uint64_t{0};
   const Mat3 back = glm::transpose(a_from_b.rotation);
   set_frame(pair.frame[0], a, a_from_b.rotation, offset);
   set_frame(pair.frame[1], b, back, -(back * offset));
@@ -293,6 +301,7 @@ HWY_INLINE void root_entry(const Pair& pair, Entry& entry) {
   find_long_axis(entry.box);
   entry.shrinks = other.root_shrinks;
   entry.bound = 0;
+  entry.classes = pair.all_classes[1 - entry.side];
 }
 
 HWY_INLINE void child_box(const BoxTree::Node& node, int i, Box& box) {
@@ -309,8 +318,20 @@ HWY_INLINE void child_box(const BoxTree::Node& node, int i, Box& box) {
   find_long_axis(box);
 }
 
+// Of the children in `bits`, those that hold more than allowed pairs with the entry's box.
+HWY_INLINE std::uint32_t not_allowed(const Pair& pair, const Entry& entry, std::uint32_t bits) {
+  const std::uint64_t* classes = pair.classes[entry.side];
+  if (!classes) return bits;
+  classes += static_cast<std::size_t>(entry.open) * BoxTree::kWidth;
+  std::uint32_t left = 0;
+  for (; bits != 0; bits &= bits - 1)
+    if (classes[__builtin_ctz(bits)] & entry.classes) left |= bits & (~bits + 1);
+  return left;
+}
+
 // The next test for child i of `node` against what `from` holds.
-HWY_INLINE void descend(const BoxTree::Node& node, int i, const Entry& from, Entry& to) {
+HWY_INLINE void descend(const Pair& pair, const BoxTree::Node& node, int i, const Entry& from,
+                        Entry& to) {
   const BoxTree::Ref child = node.child[i];
   // Open the one that shrinks more; a triangle cannot be opened.
   if (BoxTree::is_triangle(from.against) ||
@@ -320,12 +341,17 @@ HWY_INLINE void descend(const BoxTree::Node& node, int i, const Entry& from, Ent
     to.box = from.box;
     to.shrinks = from.shrinks;
     to.side = from.side;
+    to.classes = from.classes;
   } else {
     to.open = from.against;
     to.against = child;
     child_box(node, i, to.box);
     to.shrinks = node.shrinks[i];
     to.side = 1 - from.side;
+    const std::uint64_t* classes = pair.classes[from.side];
+    to.classes = classes ? classes[static_cast<std::size_t>(from.open) * BoxTree::kWidth +
+                                   static_cast<std::size_t>(i)]
+                         : ~std::uint64_t{0};
   }
 }
 
@@ -363,6 +389,7 @@ bool VisitClose(const Pair& pair, double distance, PairVisitor visitor, void* co
     std::uint32_t bits = overlaps<false>(node, frame, entry.box, margin, 0.0f, nullptr, gaps);
     if (root && bits == 0) (entry.side == 0 ? apart.a_outside_b : apart.b_outside_a) = true;
     root = false;
+    bits = not_allowed(pair, entry, bits);
     std::uint32_t many[BoxTree::kWidth];
     int leaves = 0, deepest = count;
     float deepest_gap = std::numeric_limits<float>::infinity(), deepest_leaf = deepest_gap;
@@ -381,7 +408,7 @@ bool VisitClose(const Pair& pair, double distance, PairVisitor visitor, void* co
           deepest_gap = gaps[i];
           deepest = count;
         }
-        descend(node, i, entry, stack[count++]);
+        descend(pair, node, i, entry, stack[count++]);
       }
     }
     // The deepest pair goes on top, and first: surfaces that cross are found soonest there.
@@ -409,6 +436,7 @@ bool VisitClosest(const Pair& pair, const ClosestSoFar& so_far, PairVisitor visi
     alignas(64) float bounds[BoxTree::kWidth];
     const Axis axis = axis_in(frame, entry.side, so_far.axis);
     std::uint32_t bits = overlaps<true>(node, frame, entry.box, margin, slack, &axis, bounds);
+    bits = not_allowed(pair, entry, bits);
     const bool against_triangle = BoxTree::is_triangle(entry.against);
     // Nearest first: leaves are visited in that order, entries pushed so that the nearest is on
     // top.
@@ -437,7 +465,7 @@ bool VisitClosest(const Pair& pair, const ClosestSoFar& so_far, PairVisitor visi
     }
     for (int k = n; k-- > 0;) {
       if (against_triangle && BoxTree::is_triangle(node.child[order[k]])) continue;
-      descend(node, order[k], entry, stack[count]);
+      descend(pair, node, order[k], entry, stack[count]);
       stack[count++].bound = bounds[order[k]];
     }
   }
@@ -466,11 +494,12 @@ bool is_finite(const RigidTransform& t) {
 }
 
 bool visit_close_pairs(const BoxTree& a, const BoxTree& b, const RigidTransform& a_from_b,
-                       double distance, PairVisitor visitor, void* context, Apart* apart) {
+                       double distance, const PatchRegions* regions, PairVisitor visitor,
+                       void* context, Apart* apart) {
   Apart seen{true, true};
   Pair pair;
   bool stopped = false;
-  if (!a.empty() && !b.empty() && set_pair(pair, a, b, a_from_b, distance)) {
+  if (!a.empty() && !b.empty() && set_pair(pair, a, b, a_from_b, distance, regions)) {
     seen = {};
     stopped = HWY_DYNAMIC_DISPATCH(VisitClose)(pair, distance, visitor, context, seen);
   }
@@ -479,9 +508,10 @@ bool visit_close_pairs(const BoxTree& a, const BoxTree& b, const RigidTransform&
 }
 
 bool visit_closest_pairs(const BoxTree& a, const BoxTree& b, const RigidTransform& a_from_b,
-                         const ClosestSoFar& so_far, PairVisitor visitor, void* context) {
+                         const ClosestSoFar& so_far, const PatchRegions* regions,
+                         PairVisitor visitor, void* context) {
   Pair pair;
-  if (a.empty() || b.empty() || !set_pair(pair, a, b, a_from_b, so_far.distance)) {
+  if (a.empty() || b.empty() || !set_pair(pair, a, b, a_from_b, so_far.distance, regions)) {
     return false;
   }
   return HWY_DYNAMIC_DISPATCH(VisitClosest)(pair, so_far, visitor, context);

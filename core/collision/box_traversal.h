@@ -14,6 +14,7 @@
 
 #include "core/collision/box_tree.h"
 #include "core/collision/collision_mesh.h"
+#include "core/collision/patch_regions.h"
 
 namespace elbowroom {
 
@@ -28,9 +29,11 @@ struct Apart {
 };
 
 // Visits all pairs of triangles whose boxes are not surely farther apart than `distance`, deepest
-// first. True if the visitor stopped it.
+// first. True if the visitor stopped it. What is allowed by `regions` (null: nothing is) is left out
+// where whole boxes are; the visitor still sees some.
 bool visit_close_pairs(const BoxTree& a, const BoxTree& b, const RigidTransform& a_from_b,
-                       double distance, PairVisitor visitor, void* context, Apart* apart = nullptr);
+                       double distance, const PatchRegions* regions, PairVisitor visitor,
+                       void* context, Apart* apart = nullptr);
 
 // The closest pair of triangles so far, kept by the visitor below.
 struct ClosestSoFar {
@@ -42,7 +45,8 @@ struct ClosestSoFar {
 // visitor lowers as it finds closer triangles. Boxes are compared along so_far.axis too: about the
 // closest points of smooth surfaces that axis separates nearly everything else.
 bool visit_closest_pairs(const BoxTree& a, const BoxTree& b, const RigidTransform& a_from_b,
-                         const ClosestSoFar& so_far, PairVisitor visitor, void* context);
+                         const ClosestSoFar& so_far, const PatchRegions* regions, PairVisitor visitor,
+                         void* context);
 
 // The transform is finite, so that anything can be said about the pair.
 bool is_finite(const RigidTransform& t);

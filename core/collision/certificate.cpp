@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
@@ -70,6 +71,13 @@ struct Proof {
   };
   std::map<std::pair<Frame, int>, BodyReach> reach;  // and a body
 
+  // What the clip allowed the pair about the interval looked at last, by bodies.
+  struct ClipRegions {
+    std::vector<bool> allowed;
+    std::shared_ptr<const PatchRegions> regions;
+  };
+  std::map<std::pair<int, int>, ClipRegions> clip_regions{};
+
   const std::vector<PointTravel>& travel_of(const NodeReference& from, int actor) {
     const auto [at, fresh] = by_node.try_emplace({{from.actor, from.node}, actor});
     if (fresh) bound.travel(actor, from, at->second);
@@ -117,7 +125,8 @@ struct Proof {
     const auto reached = [&](const PatchFilter& filter) {
       return reach_each_other(a.mesh(), b.mesh(), data.a_from_b(pair), reach, filter, &pair.cache);
     };
-    if (!reached(pair.allowed ? patch_filter(a, b, pair.allowed->always) : PatchFilter{}))
+    if (!reached(pair.allowed ? pair.allowed->filter(a, b, AllowedPatches::Reasons::lasting)
+                              : PatchFilter{}))
       return true;
     if (!pair.allowed || pair.allowed->clip_depth.empty()) return false;
     // What the clip touches at these very times may touch, and how deep is known at samples only.
@@ -131,7 +140,14 @@ struct Proof {
                                      data.clip_memory))
         allowed[at] = true;
     }
-    if (reached(patch_filter(a, b, allowed))) return false;
+    PatchFilter filter = patch_filter(a, b, allowed);
+    ClipRegions& known = clip_regions[{pair.a, pair.b}];
+    if (known.allowed != allowed) {
+      known.regions = patch_regions(a.mesh(), b.mesh(), filter);
+      known.allowed = allowed;
+    }
+    filter.regions = known.regions.get();
+    if (reached(filter)) return false;
     for (const auto& [parts, depth] : pair.allowed->clip_depth) depth_sampled.insert(parts);
     return true;
   }

@@ -280,6 +280,22 @@ void LimbPlanningSpace::Data::gather_clip_contacts() {
                                      .near_only;
 }
 
+// What may touch is known and stays as it is.
+void LimbPlanningSpace::Data::find_regions() {
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    PairState& state = pair_states[k];
+    if (!state.cross) continue;
+    PatchFilter& filter = pairs[k].filter;
+    const CollisionMesh &a = *pieces[static_cast<std::size_t>(pairs[k].a)].mesh,
+                        &b = *pieces[static_cast<std::size_t>(pairs[k].b)].mesh;
+    state.near_regions = patch_regions(a, b, filter);
+    PatchFilter cross = filter;
+    cross.allowed = state.cross;
+    state.cross_regions = state.near_only ? patch_regions(a, b, cross) : state.near_regions;
+    filter.regions = state.near_regions.get();
+  }
+}
+
 void LimbPlanningSpace::Data::build_metric() {
   const auto add = [&](int part, int node, const Vec3& local) {
     metric.push_back({part, node, local});

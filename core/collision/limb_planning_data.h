@@ -13,6 +13,7 @@
 
 #include "core/collision/frame_tracks.h"
 #include "core/collision/limb_planning_space.h"
+#include "core/collision/patch_regions.h"
 #include "core/collision/planning_parts.h"
 
 namespace elbowroom {
@@ -74,6 +75,7 @@ struct LimbPlanningSpace::Data {
   std::vector<Pair> pairs;
   struct PairState {
     const std::vector<bool>* cross = nullptr;  // patches that may cross, null: none
+    std::shared_ptr<const PatchRegions> near_regions, cross_regions;
     bool near_only = false;                    // some are allowed to be near but not to cross
     double distance = 0;
     PairCache cache, cross_cache;
@@ -149,6 +151,7 @@ struct LimbPlanningSpace::Data {
   void build_segments();
   void build_pairs();
   void gather_clip_contacts();
+  void find_regions();
   void build_metric();
   LimbState state_at(const Configuration& c) const;
   void place_chain(const FrameTracks::Cell& cell, const Configuration& c, bool clip_pose);

@@ -143,6 +143,7 @@ bool LimbPlanningSpace::Data::near(int number, const FrameTracks::Cell& cell,
   if (!state.near_only) return false;
   PatchFilter cross = pair.filter;
   cross.allowed = state.cross;
+  cross.regions = state.cross_regions.get();
   return in_contact(a, b, a_from_b, more, cross, &state.cross_cache);
 }
 
@@ -160,6 +161,7 @@ bool LimbPlanningSpace::Data::surely_clear(int number, const FrameTracks::Cell& 
   if (!state.near_only) return true;
   PatchFilter cross = pair.filter;
   cross.allowed = state.cross;
+  cross.regions = state.cross_regions.get();
   return surely_farther(a, b, a_from_b, more, cross);
 }
 
@@ -224,6 +226,7 @@ LimbPlanningSpace::LimbPlanningSpace(const SceneCollision& scene, int limb, doub
     for (const int p : segment.moving) d.parts[static_cast<std::size_t>(p)].limb = true;
   d.build_pairs();
   d.gather_clip_contacts();
+  d.find_regions();
   d.build_metric();
 }
 

@@ -158,7 +158,8 @@ double surface_distance(const CollisionMesh& a, const CollisionMesh& b,
   if (da.tree.empty() || db.tree.empty() || !(at_most > 0)) return std::fmax(at_most, 0.0);
   if (!is_finite(a_from_b)) return 0;
   Closest closest{da, db, a_from_b, filter, {at_most, Vec3(0.0)}};
-  visit_closest_pairs(da.tree, db.tree, a_from_b, closest.best, visit_closest, &closest);
+  visit_closest_pairs(da.tree, db.tree, a_from_b, closest.best, filter.regions, visit_closest,
+                      &closest);
   return closest.best.distance;
 }
 

@@ -151,7 +151,8 @@ bool visit_crossing(void* context, std::uint32_t one, const std::uint32_t* many,
 
 bool components_cross(const Query& q, std::uint32_t component_a, std::uint32_t component_b) {
   Crossing crossing{q, component_a, component_b};
-  return visit_close_pairs(q.a.tree, q.b.tree, q.a_from_b, 0.0, visit_crossing, &crossing);
+  return visit_close_pairs(q.a.tree, q.b.tree, q.a_from_b, 0.0, nullptr, visit_crossing,
+                           &crossing);
 }
 
 struct Containment {
@@ -258,7 +259,8 @@ bool in_contact(const CollisionMesh& a, const CollisionMesh& b, const RigidTrans
   }
   Search search(query, cache);
   Apart apart;
-  if (visit_close_pairs(query.a.tree, query.b.tree, a_from_b, query.distance, visit_search, &search,
+  if (visit_close_pairs(query.a.tree, query.b.tree, a_from_b, query.distance, filter.regions,
+                        visit_search, &search,
                         &apart)) {
     return true;
   }
@@ -280,7 +282,8 @@ bool reach_each_other(const CollisionMesh& a, const CollisionMesh& b,
       cache->triangle_b < query.b.triangles.size()) {
     if (visit_reach(&search, cache->triangle_a, &cache->triangle_b, 1, true)) return true;
   }
-  return visit_close_pairs(query.a.tree, query.b.tree, a_from_b, query.distance, visit_reach,
+  return visit_close_pairs(query.a.tree, query.b.tree, a_from_b, query.distance, filter.regions,
+                           visit_reach,
                            &search);
 }
 
@@ -290,7 +293,8 @@ void find_contacts(const CollisionMesh& a, const CollisionMesh& b, const RigidTr
   const Query query{a.data(), b.data(), a_from_b, usable_distance(distance), filter};
   if (query.a.tree.empty() || query.b.tree.empty() || !is_finite(a_from_b)) return;
   Collection collection{query, out};
-  visit_close_pairs(query.a.tree, query.b.tree, a_from_b, query.distance, visit_collection,
+  visit_close_pairs(query.a.tree, query.b.tree, a_from_b, query.distance, filter.regions,
+                    visit_collection,
                     &collection);
   std::sort(out.begin(), out.end(), [](const TriangleContact& x, const TriangleContact& y) {
     return x.triangle_a != y.triangle_a ? x.triangle_a < y.triangle_a : x.triangle_b < y.triangle_b;

@@ -33,6 +33,8 @@
 
 namespace elbowroom {
 
+struct PatchRegions;
+
 // Allowed contacts as pairs of patches: every triangle has a patch number in its mesh; the pair
 // (p, q) is allowed if bit p · patches_b + q is set.
 struct PatchFilter {
@@ -40,6 +42,8 @@ struct PatchFilter {
   const std::uint16_t* patch_of_b = nullptr;
   int patches_b = 0;
   const std::vector<bool>* allowed = nullptr;
+  // Of just these meshes and allowed pairs (patch_regions.h), or null: saves time, decides nothing.
+  const PatchRegions* regions = nullptr;
 
   bool allows(std::uint32_t triangle_a, std::uint32_t triangle_b) const {
     return allowed && (*allowed)[static_cast<std::size_t>(patch_of_a[triangle_a]) *

@@ -42,7 +42,7 @@ bool surely_farther(const CollisionMesh& a, const CollisionMesh& b, const RigidT
   if (!is_finite(a_from_b) || !std::isfinite(distance)) return false;
   Question question{a.data(), b.data(), a_from_b, distance > 0 ? distance : 0.0, filter};
   return !visit_close_pairs(question.a.tree, question.b.tree, a_from_b, question.distance,
-                            visit_near, &question);
+                            filter.regions, visit_near, &question);
 }
 
 }  // namespace elbowroom

@@ -99,7 +99,7 @@ struct ClipTouch {
 // One look at the clip as it is posed. Between two looks the clip may be deeper than at either, by
 // half their difference at the slopes seen.
 void look_at_clip(Data& data, TestPair& pair, ClipTouch& touch) {
-  const auto touching = contact_groups(data, pair, data.touching(), &pair.allowed->always);
+  const auto touching = contact_groups(data, pair, data.touching(), Skip::lasting);
   const bool first = !touch.looked;
   touch.looked = true;
   const std::map<std::pair<int, int>, double> before = std::move(touch.last);
@@ -128,7 +128,7 @@ void look_at_clip(Data& data, TestPair& pair, ClipTouch& touch) {
   // that rests on a coat slides over it as it moves, and stays as shallow as the clip has it.
   const auto near = contact_groups(
       data, pair, std::max(data.settings.clearance, data.settings.touch_reach) * data.height,
-      &pair.allowed->always, Depth::left_out);
+      Skip::lasting, Depth::left_out);
   for (const ContactGroup& group : near)
     if (parts.contains({group.part_a, group.part_b}))
       touch.patches.insert(group.patch_pairs.begin(), group.patch_pairs.end());
@@ -206,7 +206,7 @@ bool find_allowed_contacts(Data& data, const std::stop_token& stop) {
                        a_is_child ? place[b] : place[a], shared, radius, !a_is_child,
                        *pair->allowed);
     for (const ContactGroup& group :
-         contact_groups(data, *pair, data.touching(), &pair->allowed->always, Depth::left_out))
+         contact_groups(data, *pair, data.touching(), Skip::lasting, Depth::left_out))
       for (const auto& [p, q] : group.patch_pairs)
         pair->allowed->allow(p, q, AllowedPatches::kBind);
   }

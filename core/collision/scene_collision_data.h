@@ -140,13 +140,14 @@ struct ContactGroup {
   std::vector<std::pair<std::uint16_t, std::uint16_t>> patch_pairs;  // ascending, unique
   double depth = 0;                                                  // negative: not measured
 };
-// With the bodies as they are posed. `skip`: pairs of patches to pass over, or null. With depth
+// With the bodies as they are posed. `skip`: allowed pairs of patches to pass over. With depth
 // measured, for groups that are not allowed or allowed by the clip, those deeper than the clip has
 // them lose their reason; of_the_clips, only those are measured and the others' depth is -1;
 // without, patches alone decide.
+enum class Skip { none, lasting, all };  // AllowedPatches::Reasons
 enum class Depth { measured, of_the_clips, left_out };
 std::vector<ContactGroup> contact_groups(SceneCollision::Data& data, const TestPair& pair,
-                                         double distance, const std::vector<bool>* skip,
+                                         double distance, Skip skip,
                                          Depth depth = Depth::measured);
 
 }  // namespace elbowroom

@@ -60,6 +60,13 @@ bool same_parts(const ContactGroup& a, const ContactGroup& b) {
   return a.part_a == b.part_a && a.part_b == b.part_b;
 }
 
+PatchFilter filter_of(const TestPair& pair, const CollisionBody& a, const CollisionBody& b,
+                      Skip skip) {
+  using Reasons = AllowedPatches::Reasons;
+  if (!pair.allowed || skip == Skip::none) return {};
+  return pair.allowed->filter(a, b, skip == Skip::all ? Reasons::all : Reasons::lasting);
+}
+
 double depth_of(Data& data, const TestPair& pair, const ContactGroup& group) {
   const CollisionBody &a = data.placed(pair.a), &b = data.placed(pair.b);
   return group.contained ? penetration_depth(a.mesh(), b.mesh(), data.a_from_b(pair))
@@ -75,13 +82,13 @@ void excuse_by_source(Data& data, const TestPair& pair, double distance,
                       std::vector<ContactGroup>& groups) {
   std::vector<ContactGroup> touching_now;
   if (distance > data.touching())
-    touching_now = contact_groups(data, pair, data.touching(), nullptr, Depth::left_out);
+    touching_now = contact_groups(data, pair, data.touching(), Skip::none, Depth::left_out);
   const double t = data.posed_at;
   data.pose(t, true);
   // What is near in the clip serves too, as in the scan, where the parts are in contact at all.
-  const auto touching = contact_groups(data, pair, data.touching(), nullptr, Depth::left_out);
+  const auto touching = contact_groups(data, pair, data.touching(), Skip::none, Depth::left_out);
   const auto near =
-      contact_groups(data, pair, std::max(distance, data.settings.clearance * data.height), nullptr,
+      contact_groups(data, pair, std::max(distance, data.settings.clearance * data.height), Skip::none,
                      Depth::left_out);
   std::map<std::pair<int, int>, double> depth_in_clip;  // by parts
   std::vector<ContactGroup*> candidates;
@@ -214,14 +221,14 @@ RigidTransform Data::a_from_b(const TestPair& pair) {
 }
 
 std::vector<ContactGroup> contact_groups(Data& data, const TestPair& pair, double distance,
-                                         const std::vector<bool>* skip, Depth depth) {
+                                         Skip skip, Depth depth) {
   std::vector<ContactGroup> groups;
   const CollisionBody &a = data.placed(pair.a), &b = data.placed(pair.b);
   if (!a.box().within(b.box(), distance)) return groups;
   const RigidTransform a_from_b = data.a_from_b(pair);
   std::vector<TriangleContact> contacts;
   find_contacts(a.mesh(), b.mesh(), a_from_b, distance,
-                skip ? patch_filter(a, b, *skip) : PatchFilter{}, contacts);
+                filter_of(pair, a, b, skip), contacts);
   const bool same_body = data.roles[static_cast<std::size_t>(pair.a)].own &&
                          data.roles[static_cast<std::size_t>(pair.b)].own;
   std::map<std::tuple<int, int, std::uint8_t>, std::size_t> number;
@@ -278,25 +285,25 @@ bool Data::pair_in_contact(TestPair& pair, double distance) {
   if (!pair.allowed)
     return elbowroom::in_contact(a.mesh(), b.mesh(), relative, distance, {}, &pair.cache);
 
-  const auto wrong_at = [&](double at_distance, const std::vector<bool>& skip) {
-    auto groups = contact_groups(*this, pair, at_distance, &skip, Depth::of_the_clips);
+  const auto wrong_at = [&](double at_distance, Skip skip) {
+    auto groups = contact_groups(*this, pair, at_distance, skip, Depth::of_the_clips);
     excuse_by_clip(*this, pair, at_distance, groups);
     return any_not_allowed(groups);
   };
   // Pieces of one body: parity is looked at with the groups, where it is known which are closed.
   if (elbowroom::in_contact(a.mesh(), b.mesh(), relative, distance,
-                            patch_filter(a, b, pair.allowed->any), &pair.cache)) {
-    if (wrong_at(distance, pair.allowed->any)) return true;
+                            filter_of(pair, a, b, Skip::all), &pair.cache)) {
+    if (wrong_at(distance, Skip::all)) return true;
   }
   // The clip's patches: in contact, and then deeper than the clip?
   if (pair.allowed->clip_depth.empty()) return false;
-  return wrong_at(touching(), pair.allowed->always);
+  return wrong_at(touching(), Skip::lasting);
 }
 
 void Data::pair_contacts(TestPair& pair, int only_limb, bool list_allowed,
                          std::vector<ContactSample>& out) {
   auto groups = contact_groups(*this, pair, touching(),
-                               pair.allowed && !list_allowed ? &pair.allowed->always : nullptr);
+                               list_allowed ? Skip::none : Skip::lasting);
   const Vec3 query_origin = origin;
   excuse_by_clip(*this, pair, touching(), groups);
   const int limb_a = pair.limb_a, limb_b = pair.limb_b;
@@ -333,9 +340,8 @@ double Data::pair_clearance(TestPair& pair, double at_most) {
   if (pair_in_contact(pair, touching())) return 0;
   // Asking may have posed the source clip and come back.
   const CollisionBody &a_now = placed(pair.a), &b_now = placed(pair.b);
-  return surface_distance(
-      a_now.mesh(), b_now.mesh(), a_from_b(pair), at_most,
-      pair.allowed ? patch_filter(a_now, b_now, pair.allowed->any) : PatchFilter{});
+  return surface_distance(a_now.mesh(), b_now.mesh(), a_from_b(pair), at_most,
+                          filter_of(pair, a_now, b_now, Skip::all));
 }
 
 }  // namespace elbowroom

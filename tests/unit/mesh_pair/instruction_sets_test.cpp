@@ -56,7 +56,7 @@ TEST(Culling, SameInEveryInstructionSetAndDropsNothingClose) {
       hwy::SetSupportedTargetsForTest(rest & -rest);
       hwy::GetChosenTarget().DeInit();
       found.emplace_back();
-      visit_close_pairs(a, b, t, distance, collect, &found.back());
+      visit_close_pairs(a, b, t, distance, nullptr, collect, &found.back());
       distances.push_back(surface_distance(*mesh_a, *mesh_b, t, 1.0));
       ++sets;
     }
