@@ -41,6 +41,7 @@ WindowPlan plan_with_time(SceneCollision& scene, const std::shared_ptr<const Cli
                           const std::stop_token& stop, const ProgressSink& progress) {
   WindowPlan best =
       plan_window(scene, clip, limb, window.begin, window.end, wishes, stop, progress);
+  Interval tried_last{window.begin, window.end};
   for (const double by : kWider) {
     // What was hard to find at all is not looked for again for the sake of its pace.
     const bool easy = best.report.attempts.size() <= kEasyAttempts;
@@ -50,6 +51,8 @@ WindowPlan plan_with_time(SceneCollision& scene, const std::shared_ptr<const Cli
     // Not into the windows beside it.
     wide->lower = std::max(wide->lower, std::min(before, window.begin));
     wide->upper = std::min(wide->upper, std::max(after, window.end));
+    if (wide->lower == tried_last.lower && wide->upper == tried_last.upper) continue;
+    tried_last = *wide;
     WindowPlan other =
         plan_window(scene, clip, limb, wide->lower, wide->upper, wishes, stop, progress);
     if (stop.stop_requested()) break;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/planning/smoothing.h"
+
 namespace elbowroom {
 namespace {
 
@@ -13,23 +15,17 @@ constexpr double kAccelerationTime = 0.06;  // s
 constexpr double kMinimumJerkRatio = 3.08;
 constexpr double kQuickMovement = 0.4;  // s
 
-}  // namespace
-
-MotionCost motion_cost(const WindowProblem& p, const WindowMotion& motion) {
+// Deviation and effort of what is at q(t).
+template <typename Posture>
+MotionCost from_reference(const WindowProblem& p, const Posture& posture) {
   MotionCost cost;
   const double span = (p.end - p.begin) / kSamples;
   Dofs last, last_reference;
-  double hurry = 0;
   for (int i = 0; i <= kSamples; ++i) {
     const double t = p.begin + span * i;
-    const Curve& curve = motion.at(t);
-    const Dofs q = curve.value(t), a = curve.second(t), r = p.reference_at(t);
+    const Dofs q = posture(t), r = p.reference_at(t);
     for (int d = 0; d < q.count; ++d) {
       cost.deviation += (q[d] - r[d]) * (q[d] - r[d]);
-      cost.acceleration += a[d] * a[d];
-      hurry = std::max(
-          hurry,
-          std::abs(a[d]) / natural_acceleration(p.space.dofs[static_cast<std::size_t>(d)]) - 1);
       if (i == 0) continue;
       const double speed = (q[d] - last[d] - (r[d] - last_reference[d])) / span;
       cost.effort += speed * speed;
@@ -39,9 +35,35 @@ MotionCost motion_cost(const WindowProblem& p, const WindowMotion& motion) {
   }
   cost.deviation /= kSamples;
   cost.effort *= kEffortTime * kEffortTime / kSamples;
+  return cost;
+}
+
+}  // namespace
+
+MotionCost motion_cost(const WindowProblem& p, const WindowMotion& motion) {
+  MotionCost cost = from_reference(p, [&](double t) { return motion.at(t).value(t); });
+  double hurry = 0;
+  for (int i = 0; i <= kSamples; ++i) {
+    const double t = p.begin + (p.end - p.begin) * i / kSamples;
+    const Dofs a = motion.at(t).second(t);
+    for (int d = 0; d < a.count; ++d) {
+      cost.acceleration += a[d] * a[d];
+      hurry = std::max(
+          hurry,
+          std::abs(a[d]) / natural_acceleration(p.space.dofs[static_cast<std::size_t>(d)]) - 1);
+    }
+  }
   cost.acceleration *= std::pow(kAccelerationTime, 4) / kSamples;
   cost.hurry = hurry * hurry;
   return cost;
+}
+
+double path_cost(const WindowProblem& p, const WindowPaths& paths) {
+  return from_reference(p, [&](double t) {
+           std::size_t part = 0;
+           while (part + 1 < paths.parts.size() && t > paths.parts[part].back().t) ++part;
+           return path_at(paths.parts[part], t).q;
+         }).total();
 }
 
 double nearness_cost(double clearance, double wanted) {

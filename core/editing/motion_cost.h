@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a motion costs: how motions that all are free are ranked. Lower is better.
 //
-//   deviation     ∫ Σ (q - r)² / T      rad², from what the animator wants: the clip, moved into
-//   the
-//                                       sampling intervals set (WindowProblem::reference_at)
+//   deviation     ∫ Σ (q - r)² / T      rad², from what the animator wants: the clip, moved
+//                                       into the sampling intervals set (WindowProblem::reference_at)
 //   effort        ∫ Σ (q' - r')² / T    times kEffortTime², likewise rad²
 //   acceleration  ∫ Σ q''² / T          times kAccelerationTime⁴: gentle turns cost little
 //   hurry         how much the peak acceleration is above what is natural for the DOF
@@ -25,6 +24,9 @@ struct MotionCost {
 
 // All but nearness, which only the skin tells.
 MotionCost motion_cost(const WindowProblem& problem, const WindowMotion& motion);
+
+// Of a path, before there is a curve along it: its deviation and effort.
+double path_cost(const WindowProblem& problem, const WindowPaths& paths);
 
 double nearness_cost(double clearance, double wanted);
 

@@ -26,8 +26,14 @@ struct Way {
   WindowMotion motion;
   MotionCost cost;
   std::uint64_t seed = 0;
+  double path_cost = 0;  // of the path that the curve was fitted along
   int landmarks = 0;
   std::vector<std::string> limits_widened;
+};
+
+struct Planned {
+  WindowPaths paths;
+  double cost = 0;
 };
 
 // A motion that was verified.
@@ -112,43 +118,77 @@ class WindowPlanner {
   }
 
   void try_view(const PlanningView& view, std::size_t index) {
-    std::vector<Way> ways;
-    int planned = 0, seeds = 0;
-    std::string reason;
-    {
-      PlanningWorld world(p_, view);
-      const int most = (view.on_skin || brief_ ? kWaysOnSkin : kWays) * asked_;
-      for (; seeds < most && !stop_.stop_requested(); ++seeds) {
-        if (ways.empty() && seeds - planned >= kHopeless) break;
-        if (asked_ == 1 && !ways.empty() && ways.front().cost.total() < kGoodEnough) break;
-        Way way;
-        way.seed = wishes_.seed + kViewSeed * index + kWaySeed * static_cast<std::uint64_t>(seeds);
-        MotionResult result = plan_motion(p_, world, wishes_, way.seed, stop_, progress_, costs_);
-        planned += result.path_found;
-        if (result.motion.empty()) {
-          reason = result.reason;
-          continue;
-        }
-        way.motion = std::move(result.motion);
-        way.landmarks = result.landmarks;
-        way.limits_widened = std::move(result.limits_widened);
-        way.cost = motion_cost(p_, way.motion);
-        ways.push_back(std::move(way));
-        std::stable_sort(ways.begin(), ways.end(), [](const Way& a, const Way& b) {
-          return a.cost.total() < b.cost.total();
-        });
-      }
-      report_.blocked_by = world.blocked_by();
-    }
-    std::string said = view.text() + ": ";
+    std::string said = view.text() + ": ", reason;
+    const std::vector<Way> ways = ways_in(view, index, said, reason);
     if (ways.empty()) {
       report_.reason = reason;
       report_.attempts.push_back(said + reason +
                                  (report_.blocked_by.empty() ? "" : "; " + report_.blocked_by));
       return;
     }
-    verify_ways(ways, said + std::to_string(ways.size()) + " of " + std::to_string(seeds) +
-                          " seeds planned, ");
+    verify_ways(ways, said);
+  }
+
+  // Plans paths, of which the first that has a curve may do; if not, curves are fitted along the
+  // others, the nearest to what is wanted first. One that is no nearer than a curve's own path, and
+  // the same way around, would bring nothing new.
+  std::vector<Way> ways_in(const PlanningView& view, std::size_t index, std::string& said,
+                           std::string& reason) {
+    std::vector<Way> ways;
+    std::vector<Planned> waiting;
+    PlanningWorld world(p_, view);
+    const int most = (view.on_skin || brief_ ? kWaysOnSkin : kWays) * asked_;
+    int planned = 0, seeds = 0;
+    const auto is_good = [&] {
+      return asked_ == 1 && !ways.empty() && ways.front().cost.total() < kGoodEnough;
+    };
+    for (; seeds < most && !stop_.stop_requested() && !is_good(); ++seeds) {
+      if (planned == 0 && seeds >= kHopeless) break;
+      Planned next;
+      const std::uint64_t seed =
+          wishes_.seed + kViewSeed * index + kWaySeed * static_cast<std::uint64_t>(seeds);
+      next.paths = plan_paths(p_, world, wishes_, seed, stop_, progress_, costs_);
+      if (next.paths.parts.empty()) {
+        reason = next.paths.reason;
+        continue;
+      }
+      ++planned;
+      next.cost = path_cost(p_, next.paths);
+      if (ways.empty())
+        reason = fit_way(world, next, ways);
+      else
+        waiting.push_back(std::move(next));
+    }
+    std::stable_sort(waiting.begin(), waiting.end(),
+                     [](const Planned& a, const Planned& b) { return a.cost < b.cost; });
+    for (const Planned& next : waiting) {
+      if (is_good() || stop_.stop_requested()) break;
+      const bool known = std::any_of(ways.begin(), ways.end(), [&](const Way& way) {
+        return way.path_cost <= next.cost && same_way_around(world, p_, way.motion, next.paths);
+      });
+      if (!known) fit_way(world, next, ways);
+    }
+    report_.blocked_by = world.blocked_by();
+    said += std::to_string(planned) + " of " + std::to_string(seeds) + " seeds planned, " +
+            std::to_string(ways.size()) + " curves, ";
+    return ways;
+  }
+
+  // One more way, in order of cost; or why there is none.
+  std::string fit_way(PlanningWorld& world, const Planned& planned, std::vector<Way>& ways) {
+    MotionResult result = fit_motion(p_, world, planned.paths, stop_, progress_, costs_);
+    if (result.motion.empty()) return result.reason;
+    Way way;
+    way.seed = planned.paths.seed;
+    way.path_cost = planned.cost;
+    way.landmarks = result.landmarks;
+    way.limits_widened = std::move(result.limits_widened);
+    way.cost = motion_cost(p_, result.motion);
+    way.motion = std::move(result.motion);
+    ways.push_back(std::move(way));
+    std::stable_sort(ways.begin(), ways.end(),
+                     [](const Way& a, const Way& b) { return a.cost.total() < b.cost.total(); });
+    return {};
   }
 
   void verify_ways(const std::vector<Way>& ways, const std::string& said) {

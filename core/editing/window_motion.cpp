@@ -40,7 +40,33 @@ CurveResult curve_of(StateSpace& space, CurveQuery query, const CurveSettings& s
   return looser;
 }
 
+std::uint64_t part_seed(std::uint64_t seed, std::size_t part) { return seed + kPartSeed * part; }
+
+// Whether every blend of a motion and another, `other(part, t)`, is free.
+template <typename Other>
+bool blends_free(PlanningWorld& world, const WindowProblem& p, const WindowMotion& motion,
+                 const Other& other) {
+  for (std::size_t part = 0; part < motion.curves.size(); ++part) {
+    StateSpace& space = world.part(part);
+    const double begin = p.postures[part].time, end = p.postures[part + 1].time;
+    for (const double u : kBlends)
+      for (int i = 1; i < kBlendMoments; ++i) {
+        const double t = begin + (end - begin) * i / kBlendMoments;
+        Configuration blend{motion.curves[part].value(t), t};
+        const Dofs to = other(part, t);
+        for (int d = 0; d < blend.q.count; ++d) blend.q[d] += u * (to[d] - blend.q[d]);
+        if (!space.valid(blend)) return false;
+      }
+  }
+  return true;
+}
+
 }  // namespace
+
+void PlanningCosts::add(const CheckCounters& checks) {
+  validity_checks += checks.validity_checks;
+  edge_checks += checks.edge_checks;
+}
 
 std::string PlanningView::text() const {
   char text[160];
@@ -96,19 +122,19 @@ std::string PlanningWorld::blocked_by() const {
   return {};
 }
 
-MotionResult plan_motion(WindowProblem& p, PlanningWorld& world, const PlanningWishes& wishes,
-                         std::uint64_t seed, const std::stop_token& stop,
-                         const ProgressSink& progress, PlanningCosts& costs) {
+WindowPaths plan_paths(const WindowProblem& p, PlanningWorld& world, const PlanningWishes& wishes,
+                       std::uint64_t seed, const std::stop_token& stop,
+                       const ProgressSink& progress, PlanningCosts& costs) {
   const PlanningView& view = world.view();
-  MotionResult result;
+  WindowPaths result;
+  result.seed = seed;
   for (std::size_t i = 0; i + 1 < p.postures.size(); ++i) {
     const PostureAt& from = p.postures[i];
     const PostureAt& to = p.postures[i + 1];
     StateSpace& space = world.part(i);
-    const std::uint64_t part_seed = seed + kPartSeed * i;
 
     PlannerSettings planner;
-    planner.seed = part_seed;
+    planner.seed = part_seed(seed, i);
     planner.max_iterations =
         view.on_skin ? std::max(1, wishes.max_iterations / kSkinShare) : wishes.max_iterations;
     if (wishes.max_seconds > 0) planner.max_seconds = wishes.max_seconds;
@@ -123,39 +149,49 @@ MotionResult plan_motion(WindowProblem& p, PlanningWorld& world, const PlanningW
     const auto planned = plan(space, query, planner, stop, progress);
     costs.plan_ms += planned.milliseconds;
     costs.iterations += planned.stats.iterations;
-    costs.validity_checks += planned.stats.checks.validity_checks;
-    costs.edge_checks += planned.stats.checks.edge_checks;
+    costs.add(planned.stats.checks);
     if (planned.status != PlannerStatus::solved) {
-      result.motion = {};
-      result.cancelled = planned.status == PlannerStatus::cancelled;
+      result.parts.clear();
       result.reason = planned.reason;
       return result;
     }
-    result.path_found = true;
 
     const auto smooth_start = Clock::now();
     SmoothingSettings smoothing;
-    smoothing.seed = part_seed;
-    const auto smoothed = smooth_path(space, planned.path, smoothing, stop, progress);
-    CurveQuery curve_query;
-    curve_query.space = &p.space;
-    curve_query.path = smoothed.path;
-    curve_query.velocity_init = from.velocity;
-    curve_query.velocity_goal = to.velocity;
-    curve_query.acceleration_init = from.acceleration;
-    curve_query.acceleration_goal = to.acceleration;
-    curve_query.reference = [&p](double t) { return p.reference_at(t); };
-    CurveSettings curve_settings;
-    curve_settings.seed = part_seed;
-    if (view.on_skin) curve_settings.max_trials = kSkinTrials;
-    const auto fitted = curve_of(space, curve_query, curve_settings, stop, progress);
+    smoothing.seed = part_seed(seed, i);
+    auto smoothed = smooth_path(space, planned.path, smoothing, stop, progress);
     costs.smooth_ms += ms_since(smooth_start);
-    costs.validity_checks += smoothed.checks.validity_checks + fitted.checks.validity_checks;
-    costs.edge_checks += smoothed.checks.edge_checks + fitted.checks.edge_checks;
-    result.landmarks += static_cast<int>(smoothed.path.size());
+    costs.add(smoothed.checks);
+    result.parts.push_back(std::move(smoothed.path));
+  }
+  return result;
+}
+
+MotionResult fit_motion(const WindowProblem& p, PlanningWorld& world, const WindowPaths& paths,
+                        const std::stop_token& stop, const ProgressSink& progress,
+                        PlanningCosts& costs) {
+  MotionResult result;
+  for (std::size_t i = 0; i < paths.parts.size(); ++i) {
+    const PostureAt& from = p.postures[i];
+    const PostureAt& to = p.postures[i + 1];
+    const auto start = Clock::now();
+    CurveQuery query;
+    query.space = &p.space;
+    query.path = paths.parts[i];
+    query.velocity_init = from.velocity;
+    query.velocity_goal = to.velocity;
+    query.acceleration_init = from.acceleration;
+    query.acceleration_goal = to.acceleration;
+    query.reference = [&p](double t) { return p.reference_at(t); };
+    CurveSettings settings;
+    settings.seed = part_seed(paths.seed, i);
+    if (world.view().on_skin) settings.max_trials = kSkinTrials;
+    const auto fitted = curve_of(world.part(i), query, settings, stop, progress);
+    costs.smooth_ms += ms_since(start);
+    costs.add(fitted.checks);
+    result.landmarks += static_cast<int>(paths.parts[i].size());
     if (fitted.status != CurveStatus::solved) {
       result.motion = {};
-      result.cancelled = stop.stop_requested();
       result.reason = fitted.reason;
       return result;
     }
@@ -173,19 +209,16 @@ MotionResult plan_motion(WindowProblem& p, PlanningWorld& world, const PlanningW
 
 bool same_way_around(PlanningWorld& world, const WindowProblem& p, const WindowMotion& a,
                      const WindowMotion& b) {
-  for (std::size_t part = 0; part < a.curves.size(); ++part) {
-    StateSpace& space = world.part(part);
-    const double begin = p.postures[part].time, end = p.postures[part + 1].time;
-    for (const double u : kBlends)
-      for (int i = 1; i < kBlendMoments; ++i) {
-        const double t = begin + (end - begin) * i / kBlendMoments;
-        Configuration blend{a.curves[part].value(t), t};
-        const Dofs other = b.curves[part].value(t);
-        for (int d = 0; d < blend.q.count; ++d) blend.q[d] += u * (other[d] - blend.q[d]);
-        if (!space.valid(blend)) return false;
-      }
-  }
-  return true;
+  return blends_free(world, p, a, [&](std::size_t part, double t) {
+    return b.curves[part].value(t);
+  });
+}
+
+bool same_way_around(PlanningWorld& world, const WindowProblem& p, const WindowMotion& a,
+                     const WindowPaths& b) {
+  return blends_free(world, p, a, [&](std::size_t part, double t) {
+    return path_at(b.parts[part], t).q;
+  });
 }
 
 }  // namespace elbowroom

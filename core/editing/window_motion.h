@@ -15,6 +15,7 @@
 #include "core/base/progress.h"
 #include "core/editing/window_problem.h"
 #include "core/planning/curve.h"
+#include "core/planning/interpolation.h"
 #include "core/planning/state_space.h"
 
 namespace elbowroom {
@@ -61,11 +62,16 @@ class PlanningWorld {
   std::vector<const LimbPlanningSpace*> rigid_;
 };
 
+// Landmarks between a window's postures, smoothed: one list for each two of them.
+struct WindowPaths {
+  std::vector<std::vector<Configuration>> parts;  // empty if there is none
+  std::uint64_t seed = 0;
+  std::string reason;  // one sentence, where there is none
+};
+
 // What a motion came to and what it cost.
 struct MotionResult {
-  WindowMotion motion;      // empty if there is none
-  bool path_found = false;  // whatever became of it
-  bool cancelled = false;
+  WindowMotion motion;  // empty if there is none
   std::string reason;  // one sentence, where there is none
   int landmarks = 0;
   // Names of DOFs whose limit, or speed limit, the state at a posture forced the curve beyond.
@@ -74,17 +80,26 @@ struct MotionResult {
 struct PlanningCosts {
   double plan_ms = 0, smooth_ms = 0;
   long validity_checks = 0, edge_checks = 0, iterations = 0;
+
+  void add(const CheckCounters& checks);
 };
 
-// Costs are added to. Same bytes for the same problem, view, wishes and seed.
-MotionResult plan_motion(WindowProblem& problem, PlanningWorld& world, const PlanningWishes& wishes,
-                         std::uint64_t seed, const std::stop_token& stop,
-                         const ProgressSink& progress, PlanningCosts& costs);
+// A way around, and the curve along it: most of the time goes into the second. Costs are added to.
+// Same bytes for the same problem, view, wishes and seed.
+WindowPaths plan_paths(const WindowProblem& problem, PlanningWorld& world,
+                       const PlanningWishes& wishes, std::uint64_t seed,
+                       const std::stop_token& stop, const ProgressSink& progress,
+                       PlanningCosts& costs);
+MotionResult fit_motion(const WindowProblem& problem, PlanningWorld& world,
+                        const WindowPaths& paths, const std::stop_token& stop,
+                        const ProgressSink& progress, PlanningCosts& costs);
 
 // Whether one motion can be turned into the other without meeting anything: every blend of the two
 // is free, at each of some moments of the window. If so they are one way around with two looks; if
 // not, two ways.
 bool same_way_around(PlanningWorld& world, const WindowProblem& problem, const WindowMotion& a,
                      const WindowMotion& b);
+bool same_way_around(PlanningWorld& world, const WindowProblem& problem, const WindowMotion& a,
+                     const WindowPaths& b);
 
 }  // namespace elbowroom
