@@ -59,11 +59,7 @@ TEST_F(Files, WhatCannotBeReadIsToldAndLeavesTheDocument) {
   EXPECT_TRUE(editor().find("Hand target"));
   editor().key("ctrl+q");
   ASSERT_TRUE(editor().wait_for_words("Save changes"));
-  for (const auto& widget : editor().widgets())
-    if (widget.kind == "button" && widget.path.find("/Discard") != std::string::npos) {
-      editor().click(widget.middle());
-      break;
-    }
+  discard_if_asked();
   EXPECT_EQ(editor().ended(), 0);
 }
 

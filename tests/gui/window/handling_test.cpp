@@ -167,11 +167,7 @@ TEST_F(Handling, WorkOfAKilledSessionIsOffered) {
   editor().picture("recovered");
   editor().key("ctrl+q");
   ASSERT_TRUE(editor().wait_for_words("Save changes"));
-  for (const auto& widget : editor().widgets())
-    if (widget.kind == "button" && widget.path.find("/Discard") != std::string::npos) {
-      editor().click(widget.middle());
-      break;
-    }
+  discard_if_asked();
   EXPECT_EQ(editor().ended(), 0);
   EXPECT_FALSE(kept()) << "given up on purpose";
 }

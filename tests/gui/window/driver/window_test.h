@@ -45,6 +45,15 @@ class WindowTest : public testing::Test {
         << editor().value("Path");
     editor().key("Return");
   }
+  // Answers the question whether to save changes, if it is asked.
+  void discard_if_asked() {
+    for (const auto& widget : editor().widgets())
+      if (widget.kind == "button" && widget.path.find("Save changes") == 0 &&
+          widget.path.find("/Discard") != std::string::npos) {
+        editor().click(widget.middle());
+        return;
+      }
+  }
   std::string news() { return editor().value("Status/News"); }
 
   const Folder folder_;
