@@ -28,24 +28,20 @@ struct Bounds {
   }
 };
 
-// Rounding outwards by at least, and little more than, one unit in the last place.
-float down(double x) {
-  const auto f = static_cast<float>(x);
-  return f - std::abs(f) * 0x1.0p-23f - std::numeric_limits<float>::min();
-}
-float up(double x) {
-  const auto f = static_cast<float>(x);
-  return f + std::abs(f) * 0x1.0p-23f + std::numeric_limits<float>::min();
-}
+// Rounding outwards by at least, and little more than, one unit in the last place: what a number
+// that was rounded once stands for lies within.
+float down(float f) { return f - std::abs(f) * 0x1.0p-23f - std::numeric_limits<float>::min(); }
+float up(float f) { return f + std::abs(f) * 0x1.0p-23f + std::numeric_limits<float>::min(); }
+float up(double x) { return up(static_cast<float>(x)); }
 
-// The triangle's box relative to the origin, rounded outwards.
-Bounds triangle_bounds(const Vec3& origin, std::span<const glm::vec3> positions,
+// The triangle's box relative to the origin, which is a float: a difference is rounded once.
+Bounds triangle_bounds(const glm::vec3& origin, std::span<const glm::vec3> positions,
                        const glm::uvec3& t) {
   const glm::vec3 &a = positions[t.x], &b = positions[t.y], &c = positions[t.z];
   Bounds bounds;
   for (int k = 0; k < 3; ++k) {
-    bounds.low[k] = down(static_cast<double>(std::min({a[k], b[k], c[k]})) - origin[k]);
-    bounds.high[k] = up(static_cast<double>(std::max({a[k], b[k], c[k]})) - origin[k]);
+    bounds.low[k] = down(std::min(std::min(a[k], b[k]), c[k]) - origin[k]);
+    bounds.high[k] = up(std::max(std::max(a[k], b[k]), c[k]) - origin[k]);
   }
   return bounds;
 }
@@ -54,10 +50,9 @@ void set_center_half(const glm::vec3& low, const glm::vec3& high, float* center,
                      std::size_t stride) {
   for (int k = 0; k < 3; ++k) {
     const std::size_t at = static_cast<std::size_t>(k) * stride;
-    const double lo = low[k], hi = high[k];
-    const float c = static_cast<float>(0.5 * (lo + hi));
+    const float c = 0.5f * (low[k] + high[k]);
     center[at] = c;
-    half[at] = up(std::max(hi - static_cast<double>(c), static_cast<double>(c) - lo));
+    half[at] = up(std::max(high[k] - c, c - low[k]));
   }
 }
 
@@ -89,19 +84,18 @@ void set_root(BoxTree& tree) {
       shrinks(tree.root_half[0] + tree.root_half[1] + tree.root_half[2], tree.nodes.front());
 }
 
+void place_origin(BoxTree& tree, const glm::vec3& low, const glm::vec3& high) {
+  tree.origin = Vec3(glm::vec3(0.5 * (Vec3(low) + Vec3(high))));
+  tree.lower = Vec3(low) - tree.origin;
+  tree.upper = Vec3(high) - tree.origin;
+}
+
 void place_origin(BoxTree& tree, std::span<const glm::vec3> positions,
                   std::span<const glm::uvec3> triangles) {
-  Vec3 low(std::numeric_limits<double>::infinity()), high(-low);
-  for (const glm::uvec3& t : triangles) {
-    for (int i = 0; i < 3; ++i) {
-      const Vec3 p(positions[t[i]]);
-      low = glm::min(low, p);
-      high = glm::max(high, p);
-    }
-  }
-  tree.origin = 0.5 * (low + high);
-  tree.lower = low - tree.origin;
-  tree.upper = high - tree.origin;
+  Bounds all;
+  for (const glm::uvec3& t : triangles)
+    for (int i = 0; i < 3; ++i) all.add({positions[t[i]], positions[t[i]]});
+  place_origin(tree, all.low, all.high);
 }
 
 using NormalSum = std::array<double, 6>;
@@ -391,7 +385,7 @@ void fit(BoxTree& tree, std::span<const glm::vec3> positions,
       NormalSum normals;
       if (BoxTree::is_triangle(ref)) {
         const std::uint32_t t = BoxTree::triangle_of(ref);
-        b = triangle_bounds(tree.origin, positions, triangles[t]);
+        b = triangle_bounds(glm::vec3(tree.origin), positions, triangles[t]);
         const Vec3 normal = triangle_normal(positions, triangles[t]);
         const double square = glm::dot(normal, normal);
         const Vec3 unit = square > 0 ? normal * (1 / std::sqrt(square)) : Vec3(0.0);
@@ -432,7 +426,7 @@ BoxTree build_box_tree(std::span<const glm::vec3> positions,
   place_origin(tree, positions, triangles);
   std::vector<Bounds> bounds(triangles.size());
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    bounds[i] = triangle_bounds(tree.origin, positions, triangles[i]);
+    bounds[i] = triangle_bounds(glm::vec3(tree.origin), positions, triangles[i]);
   }
   Builder(tree, std::move(bounds)).run();
   tree.nodes.shrink_to_fit();
@@ -443,10 +437,13 @@ BoxTree build_box_tree(std::span<const glm::vec3> positions,
   return tree;
 }
 
-void refit_box_tree(BoxTree& tree, std::span<const glm::vec3> positions,
-                    std::span<const glm::uvec3> triangles) {
+void refit_box_tree(BoxTree& tree, const glm::vec3& low, const glm::vec3& high,
+                    std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles) {
   if (tree.empty()) return;
-  place_origin(tree, positions, triangles);
+  place_origin(tree, low, high);
+  const glm::vec3 origin(tree.origin);
+  const bool has_slabs = !tree.was_refit;
+  tree.was_refit = true;
   for (std::size_t n = tree.nodes.size(); n-- > 0;) {
     BoxTree::Node& node = tree.nodes[n];
     Bounds all;
@@ -455,13 +452,14 @@ void refit_box_tree(BoxTree& tree, std::span<const glm::vec3> positions,
       const BoxTree::Ref ref = node.child[i];
       Bounds b;
       if (BoxTree::is_triangle(ref)) {
-        b = triangle_bounds(tree.origin, positions, triangles[BoxTree::triangle_of(ref)]);
+        b = triangle_bounds(origin, positions, triangles[BoxTree::triangle_of(ref)]);
       } else {
         const auto child = static_cast<std::size_t>(ref);
         b.low = tree.low[child];
         b.high = tree.high[child];
       }
-      for (BoxTree::Node::Slabs& slabs : node.slab) no_slab(slabs, i);
+      if (has_slabs)
+        for (BoxTree::Node::Slabs& slabs : node.slab) no_slab(slabs, i);
       set_slot(node, i, b.low, b.high);
       set_shrinks(tree, node, i);
       all.add(b);

@@ -49,7 +49,7 @@ struct BoxTree {
     std::int32_t slabs = 2;  // 1 if no child has a second one
   };
 
-  Vec3 origin{0.0};
+  Vec3 origin{0.0};  // about the middle; float values
   Vec3 lower{0.0}, upper{0.0};  // of all triangles, relative to origin, exact
   std::vector<Node> nodes;      // root first, children after their parents; empty without triangles
   float root_center[3] = {0, 0, 0};
@@ -61,9 +61,11 @@ struct BoxTree {
   std::vector<std::array<double, 6>> normals;
   // Triangles so that those of each node are [begin[node], end[node]).
   std::vector<std::uint32_t> order, begin, end;
+  bool was_refit = false;
 
   bool empty() const { return nodes.empty(); }
-  double radius() const { return 0.5 * glm::length(upper - lower); }
+  // Of a sphere about `origin` that holds all.
+  double radius() const { return glm::length(glm::max(glm::abs(lower), glm::abs(upper))); }
 };
 
 // False if no box of the root is nearer to `centre` (the mesh's frame) than `radius`.
@@ -75,8 +77,9 @@ inline bool sphere_near_root(const BoxTree& tree, const Vec3& centre, double rad
 BoxTree build_box_tree(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles);
 
 // The same tree around new positions of the same triangles, by boxes alone: skin is refit for a
-// question or two, and slabs would cost more than they save. O(n), allocates nothing.
-void refit_box_tree(BoxTree& tree, std::span<const glm::vec3> positions,
-                    std::span<const glm::uvec3> triangles);
+// question or two, and slabs would cost more than they save. `low` and `high`: the new box of all
+// triangles, exactly. O(n), allocates nothing.
+void refit_box_tree(BoxTree& tree, const glm::vec3& low, const glm::vec3& high,
+                    std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles);
 
 }  // namespace elbowroom

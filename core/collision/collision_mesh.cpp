@@ -65,7 +65,16 @@ Result<CollisionMesh> CollisionMesh::build(std::span<const glm::vec3> positions,
   for (const auto& component : data->topology.components) {
     data->can_enclose = data->can_enclose || component.encloses;
   }
-  data->place();
+  std::vector<bool> is_used(positions.size(), false);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t vertex = triangles[t][i];
+      if (is_used[vertex]) continue;
+      is_used[vertex] = true;
+      data->used.emplace_back(vertex, data->topology.component[t]);
+    }
+  data->place_components();
+  data->place_rest();
   return CollisionMesh(std::move(data));
 }
 
@@ -79,34 +88,33 @@ bool CollisionMesh::refit(std::span<const glm::vec3> positions) {
   if (!std::all_of(positions.begin(), positions.end(), usable)) return false;
   std::copy(positions.begin(), positions.end(), data_->positions.begin());
   data_->was_refit = true;
-  refit_box_tree(data_->tree, data_->positions, data_->triangles);
-  data_->place();
+  data_->place_components();
+  refit_box_tree(data_->tree, data_->low, data_->high, data_->positions, data_->triangles);
+  data_->place_rest();
   return true;
 }
 
 std::span<const glm::vec3> CollisionMesh::positions() const { return data_->positions; }
 std::span<const glm::uvec3> CollisionMesh::triangles() const { return data_->triangles; }
 
-void CollisionMesh::Data::place() {
+void CollisionMesh::Data::place_components() {
   for (std::size_t c = 0; c < places.size(); ++c) {
     ComponentPlace& place = places[c];
     const std::uint32_t first = triangles[topology.components[c].first_triangle].x;
     place.low = place.high = positions[first];
     std::fill(std::begin(place.extreme), std::end(place.extreme), first);
   }
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    ComponentPlace& place = places[topology.component[t]];
-    for (int i = 0; i < 3; ++i) {
-      const glm::vec3& p = positions[triangles[t][i]];
-      for (int k = 0; k < 3; ++k) {
-        if (p[k] < place.low[k]) {
-          place.low[k] = p[k];
-          place.extreme[k] = triangles[t][i];
-        }
-        if (p[k] > place.high[k]) {
-          place.high[k] = p[k];
-          place.extreme[k + 3] = triangles[t][i];
-        }
+  for (const auto& [vertex, component] : used) {
+    ComponentPlace& place = places[component];
+    const glm::vec3& p = positions[vertex];
+    for (int k = 0; k < 3; ++k) {
+      if (p[k] < place.low[k]) {
+        place.low[k] = p[k];
+        place.extreme[k] = vertex;
+      }
+      if (p[k] > place.high[k]) {
+        place.high[k] = p[k];
+        place.extreme[k + 3] = vertex;
       }
     }
   }
@@ -118,6 +126,9 @@ void CollisionMesh::Data::place() {
     low = glm::min(low, place.low);
     high = glm::max(high, place.high);
   }
+}
+
+void CollisionMesh::Data::place_rest() {
   std::vector<std::pair<glm::vec3, glm::vec3>> boxes;
   for (std::size_t c = 0; c < places.size(); ++c)
     if (topology.components[c].encloses) boxes.emplace_back(places[c].low, places[c].high);

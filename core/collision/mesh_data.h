@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "core/collision/box_tree.h"
@@ -28,6 +29,7 @@ struct CollisionMesh::Data {
   BoxTree tree;
   Topology topology;
   std::vector<ComponentPlace> places;   // one a component
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> used;  // vertex and component, each once
   std::vector<glm::vec3> loop_middles;  // one a loop
   bool can_enclose = false;             // some component encloses
   std::vector<BoxPack> enclosing;       // boxes of components that do, relative to tree.origin
@@ -54,8 +56,10 @@ struct CollisionMesh::Data {
   // tree's root, nor be inside, by those of enclosing components.
   bool sphere_may_meet(const Vec3& centre, double radius) const;
 
-  // Everything that depends on positions but not on topology.
-  void place();
+  // Everything that depends on positions but not on topology: the components' boxes, and, with the
+  // tree about the same positions, all else.
+  void place_components();
+  void place_rest();
 
  private:
   void make_rays_fresh() const;
