@@ -5,9 +5,12 @@
 #include <array>
 
 #include "core/anatomy/bind_geometry.h"
+#include "core/scene/grouping.h"
 
 namespace elbowroom {
 namespace {
+
+constexpr double kUpright = 0.7;  // cosine: of 45°
 
 // Rigs are bound standing straight in the axes they were modelled in; a slouch of the spine or a
 // foot put forward is no lean of the body. So an axis found this near to one of those is taken to
@@ -186,6 +189,12 @@ BodyFindings find_body_axes(const BoundFigure& figure, const std::vector<Limb>& 
 
 BodyAxes body_axes(const Model& model, const Character& character, const LimbFindings& findings) {
   return find_body_axes(bound_figure(model, character), findings.limbs).axes;
+}
+
+double body_height(const Model& model, const Character& character, const LimbFindings& findings) {
+  if (findings.limbs.empty()) return character.height;
+  const Vec3 up = body_axes(model, character, findings).up;
+  return up.y > kUpright ? character.height : bind_extent(model, character, up);
 }
 
 }  // namespace elbowroom

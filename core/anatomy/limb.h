@@ -76,4 +76,8 @@ struct BodyAxes {
 };
 BodyAxes body_axes(const Model& model, const Character& character, const LimbFindings& findings);
 
+// The height that tolerances are shares of, file units: Character::height; of a figure that does
+// not stand along the file's up in its bind pose, its extent along its own.
+double body_height(const Model& model, const Character& character, const LimbFindings& findings);
+
 }  // namespace elbowroom

@@ -10,7 +10,8 @@
 //  * bind_pose: the patches touch in the bind pose.
 //  * clip: the two parts are in contact in the source clip, and these patches are then within
 //    CollisionSettings::touch_reach; allowed about the times at which the clip has the parts in
-//    contact, to the depth it has then.
+//    contact, to the depth it has then. `touched` are those that were themselves in contact with
+//    something of the other part: what a proof may leave out.
 #pragma once
 
 #include <cstdint>
@@ -40,6 +41,7 @@ struct AllowedPatches {
   };
   std::map<std::pair<int, int>, std::vector<DepthAt>> clip_depths;  // times ascend
   std::vector<std::uint32_t> clip_pairs;  // of patches, for the clip's sake; places in `reasons`
+  std::vector<std::uint32_t> touched;     // of these
 
   // The deepest the clip has two parts within `memory` seconds of t; negative if it does not.
   double depth_about(int part_a, int part_b, double t, double memory) const;

@@ -132,7 +132,8 @@ struct Proof {
     // What the clip touches at these very times may touch, and how deep is known at samples only.
     std::vector<bool> allowed = pair.allowed->always;
     const auto columns = static_cast<std::uint32_t>(pair.allowed->patches_b);
-    for (const std::uint32_t at : pair.allowed->clip_pairs) {
+    for (const std::uint32_t at :
+         settings.near_the_clips ? pair.allowed->clip_pairs : pair.allowed->touched) {
       const auto part = [](const CollisionBody& body, std::uint32_t patch) {
         return body.triangles()[body.triangles_of_patch(static_cast<int>(patch)).front()].part;
       };

@@ -43,6 +43,9 @@ struct CertificateSettings {
   double longest = 1.0 / 30;  // seconds; what is begun with
   double smallest = 1.0e-7;   // seconds; what is not free by then is not certified
   long most_poses = 4000;     // for each second of the interval; then it is given up
+  // What the clip has in contact may be; or also what is near beside it (AllowedPatches): then what
+  // holds is that the motion touches nothing but where it may while it is planned.
+  bool near_the_clips = false;
 };
 
 struct Certificate {

@@ -92,6 +92,10 @@ struct ClipTouch {
   std::map<std::pair<int, int>, double> depth;  // by parts: the deepest
   std::map<std::pair<int, int>, std::vector<AllowedPatches::DepthAt>> depths;
   std::set<std::pair<std::uint16_t, std::uint16_t>> patches;
+  struct Touched {
+    std::set<std::uint16_t> a, b;
+  };
+  std::map<std::pair<int, int>, Touched> touched;  // by parts: what was itself in contact
   bool looked = false;
   std::map<std::pair<int, int>, double> last;  // how deep they were at the last look
 };
@@ -107,6 +111,9 @@ void look_at_clip(Data& data, TestPair& pair, ClipTouch& touch) {
   if (touching.empty() && before.empty()) return;
   std::map<std::pair<int, int>, double>& parts = touch.last;
   for (const ContactGroup& group : touching) {
+    ClipTouch::Touched& touched = touch.touched[{group.part_a, group.part_b}];
+    touched.a.insert(group.patches_a.begin(), group.patches_a.end());
+    touched.b.insert(group.patches_b.begin(), group.patches_b.end());
     double& now = parts[{group.part_a, group.part_b}];
     now = std::max(now, group.depth);
   }
@@ -136,6 +143,15 @@ void look_at_clip(Data& data, TestPair& pair, ClipTouch& touch) {
 
 void allow_from_clip(ClipTouch&& touch, AllowedPatches& allowed) {
   for (const auto& [p, q] : touch.patches) allowed.allow(p, q, AllowedPatches::kClip);
+  // An arm that rests on a hip rests on all of what it touches there.
+  for (const auto& [parts, touched] : touch.touched)
+    for (const std::uint16_t p : touched.a)
+      for (const std::uint16_t q : touched.b) {
+        allowed.allow(p, q, AllowedPatches::kClip);
+        allowed.touched.push_back(static_cast<std::uint32_t>(p) *
+                                      static_cast<std::uint32_t>(allowed.patches_b) +
+                                  q);
+      }
   allowed.clip_depth = std::move(touch.depth);
   allowed.clip_depths = std::move(touch.depths);
 }

@@ -51,6 +51,8 @@ Status check_query(const World& world, int actor, int character,
         return Error{"the limb " + limb.limb.name + " names a joint that is not there", file, ""};
   if (!(std::isfinite(begin) && std::isfinite(end) && begin <= end))
     return Error{"the time interval is empty or not finite", file, "give begin ≤ end in seconds"};
+  if (!(settings.height >= 0 && std::isfinite(settings.height)))
+    return Error{"the height given is negative or no number", "settings", "give scene units"};
   if (!(sound(settings.epsilon, 0, 0.1) && sound(settings.clearance, 0, 0.5) &&
         sound(settings.joint_radius, 0, 1) && sound(settings.patch_size, 1e-3, 1)))
     return Error{"a collision setting is out of range", "settings",
@@ -86,7 +88,8 @@ Result<SceneCollision> SceneCollision::build(World world, int actor, int charact
   const Character& figure = view.model->characters[static_cast<std::size_t>(character)];
   // Heights are the file's; how large it stands in the world is the placement's matter.
   const double scale = std::cbrt(std::abs(glm::determinant(Mat3(view.world_from_file))));
-  data->height = figure.height * (scale > 0 && std::isfinite(scale) ? scale : 1.0);
+  data->height = (settings.height > 0 ? settings.height : figure.height) *
+                 (scale > 0 && std::isfinite(scale) ? scale : 1.0);
   data->source_clip = view.clip;
   if (const Status built = build_bodies(*data); !built) return built.error();
   if (!find_allowed_contacts(*data, stop))

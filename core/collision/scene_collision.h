@@ -17,6 +17,7 @@ namespace elbowroom {
 
 // Lengths are for a character 1.75 m tall and scale with height (DESIGN.md, "Contact").
 struct CollisionSettings {
+  double height = 0;                // scene units before the actor's placement; 0: the character's
   double epsilon = 1e-5;            // × height: in contact at or below
   double clearance = 0.005 / 1.75;  // × height: kept while planning
   double joint_radius = 0.06;  // × height: geodesic radius of allowed contact about a joint that

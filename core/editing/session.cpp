@@ -159,8 +159,10 @@ Result<SceneCollision> contacts_of(const Session& session, const std::stop_token
   if (!clip)
     return Error{"the character has no clip", session.document.scene.character.string(),
                  "give a file with an animation"};
+  CollisionSettings settings;
+  settings.height = body_height(session.scene.model(), session.character(), session.findings);
   return SceneCollision::build(session.scene.world, 0, session.scene.character, session.limbs,
-                               clip->begin, clip->end, CollisionSettings{}, stop);
+                               clip->begin, clip->end, settings, stop);
 }
 
 }  // namespace elbowroom

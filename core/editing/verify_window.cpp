@@ -123,12 +123,26 @@ std::string look_closely(WindowProblem& p, double gave_up, const std::stop_token
   return {};
 }
 
-// A proof for all times of the window, of the keys that the scene plays; where it gave up, if so.
-double certify(WindowProblem& p, const std::stop_token& stop, const ProgressSink& progress,
-               WindowReport& report) {
+// What a proof came to, if it gave up.
+struct Unproven {
+  double gave_up = 0;          // seconds
+  bool beside_the_clips = false;  // only what is near beside contacts of the clip stood in its way
+};
+
+// A proof for all times of the window, of the keys that the scene plays.
+Unproven certify(WindowProblem& p, const std::stop_token& stop, const ProgressSink& progress,
+                 WindowReport& report) {
   if (progress) progress({"proving the motion", -1});
   const auto start = Clock::now();
   Certificate certificate = certify_limb(*p.scene, p.limb_index, p.begin, p.end, {}, stop);
+  Unproven unproven{certificate.time};
+  if (!certificate.holds) {
+    CertificateSettings looser;
+    looser.near_the_clips = true;
+    const Certificate wide = certify_limb(*p.scene, p.limb_index, p.begin, p.end, looser, stop);
+    unproven.beside_the_clips = wide.holds;
+    if (!wide.holds) unproven.gave_up = wide.time;
+  }
   report.certified = certificate.holds;
   report.depth_sampled = std::move(certificate.depth_sampled);
   report.not_certified.clear();
@@ -137,8 +151,10 @@ double certify(WindowProblem& p, const std::stop_token& stop, const ProgressSink
         (certificate.part_a.empty() ? std::string("the motion")
                                     : certificate.part_a + " with " + certificate.part_b) +
         at_time(certificate.time) + ": " + certificate.reason;
+  if (unproven.beside_the_clips)
+    report.not_certified += ", beside where the clip has them in contact";
   report.certify_ms += ms_since(start);
-  return certificate.time;
+  return unproven;
 }
 
 }  // namespace
@@ -170,12 +186,13 @@ std::string verify_keys(WindowProblem& p, const KeyedMotion& keyed, std::uint64_
   std::string hit = glance(p, stop);
   report.verify_ms += ms_since(start);
   if (hit.empty()) {
-    const double gave_up = certify(p, stop, progress, report);
+    const Unproven unproven = certify(p, stop, progress, report);
     const auto looking = Clock::now();
     // A proof is of all times; what it leaves to samples is looked at.
     if (!report.certified || !report.depth_sampled.empty())
       hit = look(p, keyed.correction.joints.front().keys.times, seed, stop, progress);
-    if (hit.empty() && !report.certified) hit = look_closely(p, gave_up, stop, progress);
+    if (hit.empty() && !report.certified && !unproven.beside_the_clips)
+      hit = look_closely(p, unproven.gave_up, stop, progress);
     if (hit.empty()) hit = measure_clearance(p, stop, report.min_clearance);
     report.verify_ms += ms_since(looking);
   }

@@ -98,39 +98,23 @@ std::vector<int> skin_groups(const Model& model, const Tree& tree) {
   return group;
 }
 
-struct Box {
-  Vec3 low{INFINITY}, high{-INFINITY};
-  void add(const Vec3& p) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  bool empty() const { return !(low.x <= high.x); }
+// Places in the bind pose: corners of triangles, skinned and rigid, or joints.
+struct BindPlaces {
+  std::vector<Vec3> corners, joints;
 };
-
-// Bind-pose extent along +y: of the triangles, skinned and rigid; of a clip without a figure, of
-// its joints. Lengths need a unit that isn't zero, so what is flat along up is measured by its
-// diagonal.
-double measure_height(const Model& model, const Character& character) {
+BindPlaces bind_places(const Model& model, const Character& character) {
   const std::vector<Mat4> bind = bind_globals(model, character);
   const Pose pose = rest_pose(model.skeleton);
-  Box triangles, joints;
+  BindPlaces places;
   std::vector<Vec3> vertices;
   for (const int index : character.meshes) {
     const Mesh& mesh = model.meshes[index_of(index)];
     deform(model, mesh, pose, bind, vertices);
-    for (const glm::uvec3& triangle : mesh.triangles) {
-      for (int c = 0; c < 3; ++c) triangles.add(vertices[triangle[c]]);
-    }
+    for (const glm::uvec3& triangle : mesh.triangles)
+      for (int c = 0; c < 3; ++c) places.corners.push_back(vertices[triangle[c]]);
   }
-  for (const int joint : character.joints) joints.add(Vec3(bind[index_of(joint)][3]));
-  for (const Box* box : {&triangles, &joints}) {
-    if (box->empty()) continue;
-    const double height = box->high.y - box->low.y;
-    const double diagonal = glm::length(box->high - box->low);
-    if (!std::isfinite(diagonal) || !(diagonal > 0)) continue;
-    return height > 1e-6 * diagonal ? height : diagonal;
-  }
-  return 1.0;
+  for (const int joint : character.joints) places.joints.emplace_back(bind[index_of(joint)][3]);
+  return places;
 }
 
 // What each node's subtree holds: -1 nothing, the character, or kMixed for more than one thing.
@@ -262,6 +246,25 @@ void find_objects(Model& model, const std::vector<int>& mesh_character) {
 
 }  // namespace
 
+double bind_extent(const Model& model, const Character& character, const Vec3& along) {
+  const BindPlaces places = bind_places(model, character);
+  for (const auto* points : {&places.corners, &places.joints}) {
+    if (points->empty()) continue;
+    Vec3 low = points->front(), high = low;
+    double least = glm::dot(low, along), most = least;
+    for (const Vec3& p : *points) {
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+      least = std::min(least, glm::dot(p, along));
+      most = std::max(most, glm::dot(p, along));
+    }
+    const double diagonal = glm::length(high - low);
+    if (!std::isfinite(diagonal) || !(diagonal > 0)) continue;
+    return most - least > 1e-6 * diagonal ? most - least : diagonal;
+  }
+  return 1.0;
+}
+
 void group_characters_and_objects(Model& model) {
   model.characters.clear();
   model.objects.clear();
@@ -307,7 +310,7 @@ void group_characters_and_objects(Model& model) {
   for (std::size_t c = 0; c < model.characters.size(); ++c) {
     Character& character = model.characters[c];
     character.name = character_name(model, character, static_cast<int>(c), owner);
-    character.height = measure_height(model, character);
+    character.height = bind_extent(model, character, Vec3(0, 1, 0));
   }
   find_objects(model, mesh_character);
 }

@@ -63,8 +63,10 @@ Scene scene_of(const Model& figure, const Model& post, int clip, const std::stri
   World world;
   world.actors.push_back({"figure", scene.figure, scene.clip, {}, Mat4(1.0)});
   world.actors.push_back({"post", scene.post, nullptr, {}, Mat4(1.0)});
+  CollisionSettings settings;
+  settings.height = body_height(*scene.figure, character, found);
   auto built = SceneCollision::build(std::move(world), 0, 0, std::move(limbs), scene.clip->begin,
-                                     scene.clip->end, {});
+                                     scene.clip->end, settings);
   if (built) scene.collision.emplace(std::move(*built));
   return scene;
 }
