@@ -32,6 +32,7 @@ enum class Dialog {
   export_clip,
   add_object,
   shortcuts,
+  limb_joints,          // which joints a limb has
   discard,              // unsaved work, before the window closes
   discard_for_opening,  // and before something else is opened
   recover,              // unsaved work of a session that did not end well
@@ -60,6 +61,8 @@ struct ViewState {
     std::string text;
     bool begins = false;  // the field takes the keyboard
   } rename;
+  int swing_joint = 0;          // which of the limb's swings the map shows
+  std::string joints_of;        // whose joints the dialog begins with; empty: the selected limb's
   bool placing_target = false;  // the next click on a surface puts the hand target there
 
   // Shares of the window that the panels take.

@@ -39,7 +39,11 @@ void choose_limb(const PanelContext& context) {
   }
   if (context.state.session->limbs.empty())
     inline_note(context.ui, Tone::problem, "No limb was found on this character",
-                "Its joints have no names that are known here; `elbowroom info` lists them.");
+                "Neither its joints' names nor its shape say which they are.");
+  space(context.ui);
+  if (button(context.ui, "Choose joints…",
+             {.hint = "Says which joints a limb has, or adds a chain"}))
+    context.view.dialog = Dialog::limb_joints;
 }
 
 }  // namespace
