@@ -220,7 +220,9 @@ SwingPolygon swing_polygon_of(const LimbModel& limb, LimbJointRole role, int cor
     const Dof& b = limb.space.dofs[static_cast<std::size_t>(first) + 1];
     polygon = {{a.lower, b.lower}, {a.upper, b.lower}, {a.upper, b.upper}, {a.lower, b.upper}};
   }
-  // Corners that the ranges have put on one line are none.
+  // Corners that the ranges have put in one place or on one line are none.
+  polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
+  while (polygon.size() > 1 && polygon.front() == polygon.back()) polygon.pop_back();
   const auto limit = make_swing_polygon(first, first + 1, polygon);
   return limit ? limit->corners : SwingPolygon{};
 }

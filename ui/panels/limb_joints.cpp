@@ -173,6 +173,7 @@ void LimbJointsDialog::set_joint(const PanelContext& context, int joint) {
   }
   if (slot_ == 0 && joints_[2] < 0) slot_ = 2;
   search_.clear();
+  scroll_ = true;
   try_it(context);
 }
 
@@ -215,7 +216,7 @@ void LimbJointsDialog::describe(const PanelContext& context) {
   if (touched_ && tried_)
     note(ui, "Chosen: " + tried_->why + ".");
   else if (found)
-    note(ui, (by_hand ? "Set by hand: " : "Taken because of ") + found->why + ".");
+    note(ui, (by_hand ? "Set by hand: " : "Why: ") + found->why + ".");
   else
     note(ui, limb_title(limb_) + why_missing(context, limb_) + ".");
 }
@@ -272,7 +273,8 @@ void LimbJointsDialog::list_joints(const PanelContext& context, float height) {
       row.right = role;
       row.right_tone = Tone::accent;
       row.selected = joints_[slot_] == listed.joint;
-      row.hint = "Click: this is the " + lower(slot_names(limb_)[slot_]);
+      const std::string hint = "Click: this is the " + lower(slot_names(limb_)[slot_]);
+      row.hint = hint;
       if (row.selected && scroll_) {
         ImGui::SetScrollHereY(0.5f);
         scroll_ = false;

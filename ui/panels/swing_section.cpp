@@ -42,6 +42,7 @@ void draw_swing_section(const PanelContext& context) {
   if (edit.cancelled || edit)
     context.emit(command::SetSwingLimit{view.role, map.polygon, phase_of(edit)});
 
+  note(ui, "Dots: the clip. Yellow: now. Blue frame: sampled.", Tone::faint);
   if (view.polygon.empty()) {
     ButtonOptions draw;
     draw.enabled = !view.start.empty();

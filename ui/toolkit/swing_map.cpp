@@ -162,13 +162,13 @@ void draw_grid(const Ui& ui, const SwingMap& map, const View& view, float bottom
         std::clamp(y - font->FontSize / 2, view.plot.min.y, view.plot.max.y - font->FontSize);
     draw_text(list, font, {left - width, top}, p.quiet, text);
   });
-  // The axes' names, at their positive ends.
+  // The axes' names, in the corners where they begin.
   const std::string across = std::string(map.across) + " →", up = "↑ " + std::string(map.up);
-  const float y = view.pixel({0, 0}).y;
   draw_text(list, font,
-            {view.plot.max.x - size_of(font, across).x - ui.px(4), y - font->FontSize - ui.px(1)},
+            {view.plot.max.x - size_of(font, across).x - ui.px(5),
+             view.plot.max.y - font->FontSize - ui.px(4)},
             p.quiet, across);
-  draw_text(list, font, {view.pixel({0, 0}).x + ui.px(5), view.plot.min.y + ui.px(2)}, p.quiet, up);
+  draw_text(list, font, {view.plot.min.x + ui.px(5), view.plot.min.y + ui.px(4)}, p.quiet, up);
 }
 
 void draw_marks(const Ui& ui, const SwingMap& map, const View& view) {
@@ -432,16 +432,16 @@ Edit swing_map(Ui& ui, std::string_view name, SwingMap& map, const SwingMapOptio
                      : under.corner >= 0 ? " · Drag: move the corner · Right click: take it away"
                      : under.edge >= 0   ? " · Click or drag: one more corner"
                                          : ""));
-    // The read-out, on the side where the pointer is not.
-    const float text = size_of(font, words).x, pad = ui.px(5);
+    // The read-out, on the side where the pointer is not and no axis has its name.
+    const float pad = ui.px(5);
+    const float text = std::min(size_of(font, words).x, plot_width - 2 * pad);
     const bool low = mouse.y < view.plot.min.y + plot_height / 2;
-    const float y = low ? view.plot.max.y - font->FontSize - 2 * pad : view.plot.min.y + pad;
-    const ImVec2 corner_at(view.plot.min.x + pad, y);
-    list.AddRectFilled({corner_at.x - ui.px(3), corner_at.y - ui.px(2)},
-                       {std::min(corner_at.x + text + ui.px(3), view.plot.max.x),
-                        corner_at.y + font->FontSize + ui.px(3)},
+    const ImVec2 from(low ? view.plot.min.x + pad : view.plot.max.x - pad - text,
+                      low ? view.plot.max.y - font->FontSize - pad : view.plot.min.y + pad);
+    list.AddRectFilled({from.x - ui.px(3), from.y - ui.px(2)},
+                       {from.x + text + ui.px(3), from.y + font->FontSize + ui.px(3)},
                        with_opacity(p.panel, 0.9f), ui.px(3));
-    draw_text(list, font, corner_at, p.text, words, plot_width - 2 * pad);
+    draw_text(list, font, from, p.text, words, text + 1);
   }
   ImGui::PopID();
 

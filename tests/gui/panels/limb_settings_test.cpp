@@ -51,8 +51,8 @@ class LimbSettings : public testing::Test {
     ADD_FAILURE() << name << " does not come into sight\n" << ui().dump();
   }
   float inspector_bottom() {
-    const ProbedWidget* plan = ui().ui().probe().find("Plan");
-    return plan ? plan->min.y : 600;
+    const ProbedWidget* panel = ui().ui().probe().find("Inspector");
+    return panel ? panel->max.y : 0;
   }
   const SwingPolygon& polygon() const {
     static const SwingPolygon none;
