@@ -50,6 +50,7 @@ void choose_limb(const PanelContext& context) {
 
 void draw_inspector(const PanelContext& context, const Rect& rect) {
   Ui& ui = context.ui;
+  context.view.swing_in_picture = false;  // the map says so, where it is shown
   const bool planning = context.state.open() && context.state.limb >= 0;
   // The tabs' own line stays whatever the plan has to say.
   const float foot = planning ? std::min(plan_section_height(context),

@@ -39,10 +39,12 @@ void draw_swing_section(const PanelContext& context) {
   SwingMapOptions options;
   options.words = [&](const SwingMap::Place& place) { return swing_text(limb, view, place); };
   const Edit edit = swing_map(ui, "Swing map", map, options);
+  context.view.swing_in_picture =
+      edit || ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   if (edit.cancelled || edit)
     context.emit(command::SetSwingLimit{view.role, map.polygon, phase_of(edit)});
 
-  note(ui, "Dots: the clip. Yellow: now. Blue frame: sampled.", Tone::faint);
+  note(ui, "Dots: the clip; the large one: now. Frame: sampled.", Tone::faint);
   if (view.polygon.empty()) {
     ButtonOptions draw;
     draw.enabled = !view.start.empty();

@@ -98,6 +98,28 @@ TEST_F(LimbSettings, TheMapShowsTheLimitAndWhatTheClipDoes) {
   EXPECT_EQ(ui().value("Swing joint"), "Shoulder");
 }
 
+TEST_F(LimbSettings, TheLimitIsAtTheJointWhileThePointerIsOnTheMap) {
+  bring_into_sight("Swing map");
+  const auto trails = [&] { return driver().panels.frame(state(), driver().view(), 1).trails; };
+  ui().move_to(ImVec2{800, 300});
+  ui().frame(2);
+  const std::size_t without = trails().size();
+  ui().move_to("Swing map");
+  ui().frame(2);
+  ASSERT_GT(trails().size(), without + 4);
+  const std::vector<Vec3> own = trails()[without + 14].points;
+  // It follows what is drawn, before the session does.
+  driver().handle(SetSwingLimit{
+      LimbJointRole::root, {{0.3, 0}, {0, 0.3}, {-0.3, 0}, {0, -0.3}}, Phase::changing});
+  ui().frame(2);
+  ASSERT_GT(trails().size(), without + 14);
+  EXPECT_NE(trails()[without + 14].points, own);
+  driver().handle(SetSwingLimit{LimbJointRole::root, {}, Phase::cancelled});
+  ui().move_to(ImVec2{800, 300});
+  ui().frame(2);
+  EXPECT_EQ(trails().size(), without);
+}
+
 TEST_F(LimbSettings, APolygonIsDrawnDraggedAndTakenBack) {
   bring_into_sight("Draw as polygon");
   ui().click("Draw as polygon");
