@@ -304,7 +304,6 @@ void LimbJointsDialog::answers(const PanelContext& context) {
   Ui& ui = context.ui;
   const std::string name = limb_.empty() ? new_name_ : limb_;
   const LimbJoints* by_hand = limb_.empty() ? nullptr : set_by_hand(context, limb_);
-  const Limb* found = limb_.empty() ? nullptr : found_limb(context, limb_);
   const auto answer = [&](std::optional<LimbJoints> joints) {
     context.emit(command::SetLimbJoints{name, std::move(joints)});
     context.view.dialog = Dialog::none;
@@ -330,7 +329,6 @@ void LimbJointsDialog::answers(const PanelContext& context) {
                                .enabled = by_hand && is_usual(limb_),
                                .why_not = "Nothing is set by hand"};
   const ButtonOptions cancel{};
-  (void)found;
   if (button(ui, "Not a limb", none))
     answer(is_usual(limb_) ? std::optional(LimbJoints{}) : std::nullopt);
   ImGui::SameLine();
