@@ -275,6 +275,13 @@ std::vector<Action> make_actions() {
        {},
        false});
   add({"Plan",
+       "Joints of the limbs…",
+       {},
+       [](State s, View) { return s.open(); },
+       [](State, ViewState& view, Commands&) { view.dialog = Dialog::limb_joints; },
+       {},
+       true});
+  add({"Plan",
        "Clear window",
        {},
        [](State s, View) { return s.document->draft.window.has_value(); },

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/anatomy/limits.h"
 #include "core/editing/document.h"
 #include "core/editing/sampling_presets.h"
 
@@ -99,6 +100,17 @@ struct SetWishes {  // seed, clearance, budget; the sampling intervals stay
   Phase phase = Phase::committed;
 };
 
+// What the character's limbs are.
+struct SetSwingLimit {  // of the selected limb's joint
+  LimbJointRole role = LimbJointRole::root;
+  SwingPolygon polygon;  // empty: the joint's own limit
+  Phase phase = Phase::committed;
+};
+struct SetLimbJoints {
+  std::string limb;                  // by limb_id, or a chain's name
+  std::optional<LimbJoints> joints;  // none: as found by itself
+};
+
 // Planning.
 struct Plan {};
 struct CancelPlan {};
@@ -159,9 +171,9 @@ using Command = std::variant<
     command::ChooseClip, command::Undo, command::Redo, command::Scrub, command::TogglePlay,
     command::ToggleLoop, command::SetSpeed, command::StepFrames, command::GoToEnd,
     command::GoToProblem, command::SelectLimb, command::SelectProblem, command::SetWindow,
-    command::SetSampling, command::ChoosePreset, command::SetWishes, command::Plan,
-    command::CancelPlan, command::Accept, command::Discard, command::ShowWay,
-    command::SelectCorrection, command::MuteCorrection, command::DeleteCorrection,
+    command::SetSampling, command::ChoosePreset, command::SetWishes, command::SetSwingLimit,
+    command::SetLimbJoints, command::Plan, command::CancelPlan, command::Accept, command::Discard,
+    command::ShowWay, command::SelectCorrection, command::MuteCorrection, command::DeleteCorrection,
     command::RenameCorrection, command::ReplanCorrection, command::SetTarget,
     command::TargetFromPosture, command::KeepOrientation, command::Click, command::Quit>;
 

@@ -16,6 +16,7 @@
 #include "core/editing/collision_strip.h"
 #include "core/editing/document.h"
 #include "core/editing/session.h"
+#include "ui/swing_view.h"
 #include "ui/view_state.h"
 
 namespace elbowroom {
@@ -108,6 +109,7 @@ struct EditorState {
   // The selected limb: index in session->limbs, -1: none.
   int limb = -1;
   std::vector<DofView> dofs;
+  std::vector<SwingView> swings;  // of its joints that swing
   int selected_correction = -1;
 
   std::optional<Candidate> candidate;

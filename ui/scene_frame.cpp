@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/bounds.h"
+#include "render/limit_cone.h"
 #include "render/style.h"
 
 namespace elbowroom {
@@ -56,8 +57,9 @@ void SceneFrame::begin_session(const EditorState& state) {
 
 const Frame& SceneFrame::make(const EditorState& state, const ViewState& view, double pixel_scale) {
   if (state.session != session_) begin_session(state);
-  const FrameKey key{session_, state.picture_version, view.compare, view.show_trails,
-                     view.show_limb};
+  const FrameKey key{session_,       state.picture_version,
+                     view.compare,   view.show_trails,
+                     view.show_limb, view.swing_in_picture ? view.swing_joint : -1};
   if (key == made_from_) {
     frame_.pixel_scale = pixel_scale;
     return frame_;
@@ -91,6 +93,7 @@ const Frame& SceneFrame::make(const EditorState& state, const ViewState& view, d
     add_target(state);
   }
   if (view.show_trails) add_trails(state);
+  if (view.swing_in_picture) add_swing_cone(state, view);
   // While a target is set the ghost follows it over a world that stands still.
   frame_.keep_scene = state.document->draft.target.has_value() && !state.playing;
   return frame_;
@@ -243,6 +246,37 @@ void SceneFrame::add_trails(const EditorState& state) {
   if (state.candidate && state.candidate->report.limb == state.limb)
     frame_.trails.push_back(trail_of(shown_trail_, state.candidate->clip, nullptr, state.limb,
                                      begin, end, kStyle.good, false));
+}
+
+// How far the joint on the limb panel's map may swing, about the joint itself.
+void SceneFrame::add_swing_cone(const EditorState& state, const ViewState& view) {
+  const auto chosen = static_cast<std::size_t>(view.swing_joint);
+  if (view.swing_joint < 0 || chosen >= state.swings.size()) return;
+  const SwingView& swing = state.swings[chosen];
+  LimbModel limb = *state.limb_model();
+  // As the document has it, which is ahead of the session while a corner is dragged.
+  limb.space = session_->own_limits[static_cast<std::size_t>(state.limb)];
+  if (!swing.polygon.empty())
+    if (Status set = set_swing_polygon(limb, swing.role, swing.polygon); !set) return;
+  const auto first = static_cast<std::size_t>(swing.first_dof);
+  limb.space.dofs[first].sample_lower = swing.sample_first[0];
+  limb.space.dofs[first].sample_upper = swing.sample_first[1];
+  limb.space.dofs[first + 1].sample_lower = swing.sample_second[0];
+  limb.space.dofs[first + 1].sample_upper = swing.sample_second[1];
+  const auto& placed = states_.front().world_from_joint;
+  const auto place = [&](int joint) { return Vec3(placed[static_cast<std::size_t>(joint)][3]); };
+  const int which = static_cast<int>(swing.role);
+  const int joint = limb.joints[static_cast<std::size_t>(which)].joint;
+  const int parent =
+      session_->scene.model().skeleton.joints[static_cast<std::size_t>(joint)].parent;
+  const Mat4 world_from_parent = parent >= 0 ? placed[static_cast<std::size_t>(parent)]
+                                             : world_.actors.front().world_from_file;
+  const double length = which == 0
+                            ? glm::distance(place(limb.limb.root), place(limb.limb.middle))
+                            : 0.5 * glm::distance(place(limb.limb.middle), place(limb.limb.end));
+  for (Trail& trail : cone_trails(limit_cone(limb, which, world_from_parent, place(joint), length),
+                                  kStyle.accent, 0.7f))
+    frame_.trails.push_back(std::move(trail));
 }
 
 std::optional<Vec3> SceneFrame::figure_place() const {

@@ -47,6 +47,7 @@ class SceneFrame {
   void add_target(const EditorState& state);
   void add_contacts(const EditorState& state, const ViewState& view);
   void add_trails(const EditorState& state);
+  void add_swing_cone(const EditorState& state, const ViewState& view);
 
   struct TrailKey {
     std::shared_ptr<const Clip> clip;  // kept, so that no other one gets its address
@@ -69,6 +70,7 @@ class SceneFrame {
     std::uint64_t version = 0;
     Compare compare = Compare::both;
     bool trails = false, limb = false;
+    int cone = -1;
     bool operator==(const FrameKey&) const = default;
   };
 

@@ -32,6 +32,7 @@ enum class Dialog {
   export_clip,
   add_object,
   shortcuts,
+  limb_joints,          // which joints a limb has
   discard,              // unsaved work, before the window closes
   discard_for_opening,  // and before something else is opened
   recover,              // unsaved work of a session that did not end well
@@ -60,7 +61,10 @@ struct ViewState {
     std::string text;
     bool begins = false;  // the field takes the keyboard
   } rename;
-  bool placing_target = false;  // the next click on a surface puts the hand target there
+  int swing_joint = 0;            // which of the limb's swings the map shows
+  bool swing_in_picture = false;  // its cone is at the joint: while the pointer is on the map
+  std::string joints_of;          // whose joints the dialog begins with; empty: the selected limb's
+  bool placing_target = false;    // the next click on a surface puts the hand target there
 
   // Shares of the window that the panels take.
   float outliner_share = 0.16f, inspector_share = 0.215f, timeline_share = 0.29f;

@@ -223,10 +223,37 @@ void Editor::refresh() {
   refresh_time();
 }
 
+// The swings' maps: what they show of limb and clip is made when one of these is another.
+void Editor::refresh_swings() {
+  if (swings_session_ != session_ || swings_limb_ != state_.limb) {
+    swings_session_ = session_;
+    swings_limb_ = state_.limb;
+    state_.swings.clear();
+    if (session_ && state_.limb >= 0) state_.swings = swing_views(*session_, state_.limb);
+  }
+  const Document& document = history_.document();
+  const auto set = document.swing_limits.find(document.draft.limb);
+  for (SwingView& view : state_.swings) {
+    view.polygon.clear();
+    if (set != document.swing_limits.end())
+      view.polygon = set->second[static_cast<std::size_t>(view.role)];
+    const auto first = static_cast<std::size_t>(view.first_dof);
+    if (first + 1 >= state_.dofs.size()) continue;
+    const DofView &a = state_.dofs[first], &b = state_.dofs[first + 1];
+    view.value = {a.value, b.value};
+    view.clip_value = {a.clip_value, b.clip_value};
+    view.sample_first = {a.sample_lower, a.sample_upper};
+    view.sample_second = {b.sample_lower, b.sample_upper};
+  }
+}
+
 void Editor::refresh_time() {
   state_.dofs.clear();
   const LimbModel* limb = state_.limb_model();
-  if (!limb || !state_.clip) return;
+  if (!limb || !state_.clip) {
+    refresh_swings();
+    return;
+  }
   const Model& model = session_->scene.model();
   const PlanningWishes own = wishes();
   const Clip& shown = state_.candidate ? *state_.candidate->clip : *state_.clip;
@@ -249,6 +276,7 @@ void Editor::refresh_time() {
     view.clip_value = in_clip.q[d];
     state_.dofs.push_back(view);
   }
+  refresh_swings();
 }
 
 void Editor::set_time(double t) {
@@ -457,6 +485,10 @@ void Editor::handle(const Command& command) {
             wishes = c.wishes;
             wishes.sampling = std::move(sampling);
           });
+        } else if constexpr (std::is_same_v<T, cmd::SetSwingLimit>) {
+          set_swing_limit(c);
+        } else if constexpr (std::is_same_v<T, cmd::SetLimbJoints>) {
+          set_limb_joints(c);
         } else if constexpr (std::is_same_v<T, cmd::Plan>) {
           plan();
         } else if constexpr (std::is_same_v<T, cmd::CancelPlan>) {

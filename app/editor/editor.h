@@ -89,6 +89,7 @@ class Editor {
   void select_problem(int limb, int window);
   void go_to_problem(int direction);
   void choose_preset(SamplingPreset preset);
+  void refresh_swings();
   void set_window(const command::SetWindow& wanted);
   std::optional<Interval> within_clip(Interval window) const;
   int limb_index(const std::string& name) const;
@@ -104,6 +105,8 @@ class Editor {
   };
   void read_files(Document document, std::filesystem::path project, Why why);
   void opened(Session session, std::filesystem::path project, bool fresh);
+  void take_session(Session session);
+  void show_anew();
   void scene_changed();
   void attach_object(const std::filesystem::path& file, const std::string& joint);
   void remove_object(const std::filesystem::path& file);
@@ -111,6 +114,12 @@ class Editor {
   void save(const std::filesystem::path& path);
   void export_to(const std::filesystem::path& path);
   void remember(const std::filesystem::path& path);
+
+  // editor_limbs.cpp
+  void set_swing_limit(const command::SetSwingLimit& wanted);
+  void set_limb_joints(const command::SetLimbJoints& wanted);
+  void refit();
+  void refitted(Session session);
 
   // editor_recovery.cpp
   void keep_unsaved_work();
@@ -156,6 +165,9 @@ class Editor {
   std::optional<HandTarget> shown_target_;
   std::string shown_limb_;
   std::shared_ptr<const Clip> shown_clip_;
+  // What `state_.swings` has been made of.
+  std::shared_ptr<const Session> swings_session_;
+  int swings_limb_ = -1;
   double now_ = 0, played_at_ = -1;
   int next_notice_ = 1;
   std::uint64_t next_ticket_ = 1;

@@ -166,18 +166,8 @@ void Editor::opened(Session session, std::filesystem::path project, bool fresh) 
          {"this file has no animation to correct", session.document.scene.character.string(),
           "open a file with a clip"});
   const Document document = session.document;
-  planning_.stop.request_stop();
-  scanning_.stop.request_stop();
-  // What they have posted already is of the scene before.
-  planning_.ticket = next_ticket_++;
-  scanning_.ticket = next_ticket_++;
-  state_.planning.active = state_.scanning.active = false;
-  // A scene of its own for each session: a job of the old one may still be running.
-  scene_work_ = std::make_shared<SceneWork>();
-  target_work_->abandon();
-  target_work_ = std::make_shared<TargetWork>();
   unseen_.reset();
-  session_ = std::make_shared<const Session>(std::move(session));
+  take_session(std::move(session));
   if (fresh) {
     recovery_.forget();
     project_ = std::move(project);
@@ -195,17 +185,10 @@ void Editor::opened(Session session, std::filesystem::path project, bool fresh) 
       changed.draft.target.reset();
     });
   }
-  state_.candidate.reset();
-  state_.failure.reset();
   state_.strip.reset();
   state_.source_strip.reset();
-  state_.source = session_->clip();
-  state_.clip.reset();
-  state_.corrections.clear();
-  shown_corrections_.clear();
-  shown_target_.reset();
-  shown_limb_.clear();
   state_.playing = false;
+  state_.source = session_->clip();
   if (state_.source) {
     state_.begin = state_.source->begin;
     state_.end = state_.source->end;
@@ -215,10 +198,9 @@ void Editor::opened(Session session, std::filesystem::path project, bool fresh) 
   }
   if (fresh || state_.time < state_.begin || state_.time > state_.end) state_.time = state_.begin;
   if (fresh) view_.timeline = {};
-  refresh();
-  refreshed_revision_ = history_.revision();
-  prepare_contacts();
-  changed_ = true;
+  show_anew();
+  // Its limbs may have been changed while its files were read.
+  scene_changed();
   if (!fresh) return;
   const auto recovering = std::exchange(recovering_, std::nullopt);
   if (recovering && recovering->document.scene == document.scene) recover(*recovering);
@@ -226,10 +208,44 @@ void Editor::opened(Session session, std::filesystem::path project, bool fresh) 
   if (lost && lost->project == project_) offer(std::move(*lost));
 }
 
-// Undo and redo go through changes of the scene too.
+// From now on this session is worked on; what is under way for the one before ends.
+void Editor::take_session(Session session) {
+  planning_.stop.request_stop();
+  scanning_.stop.request_stop();
+  // What they have posted already is of the scene before.
+  planning_.ticket = next_ticket_++;
+  scanning_.ticket = next_ticket_++;
+  state_.planning.active = state_.scanning.active = false;
+  // A scene of its own for each session: a job of the old one may still be running.
+  scene_work_ = std::make_shared<SceneWork>();
+  target_work_->abandon();
+  target_work_ = std::make_shared<TargetWork>();
+  session_ = std::make_shared<const Session>(std::move(session));
+}
+
+// All that follows from session and document, made anew.
+void Editor::show_anew() {
+  state_.candidate.reset();
+  state_.failure.reset();
+  state_.clip.reset();
+  state_.corrections.clear();
+  shown_corrections_.clear();
+  shown_target_.reset();
+  shown_limb_.clear();
+  refresh();
+  refreshed_revision_ = history_.revision();
+  prepare_contacts();
+  changed_ = true;
+}
+
+// Undo and redo go through changes of the scene and of its limbs too.
 void Editor::scene_changed() {
-  if (!session_ || history_.document().scene == session_->document.scene) return;
-  read_files(history_.document(), project_, Why::follow);
+  if (!session_) return;
+  if (history_.document().scene != session_->document.scene)
+    read_files(history_.document(), project_, Why::follow);
+  else if (history_.document().limbs != session_->document.limbs ||
+           history_.document().swing_limits != session_->document.swing_limits)
+    refit();
 }
 
 void Editor::attach_object(const std::filesystem::path& file, const std::string& joint) {

@@ -42,10 +42,11 @@ void Editor::prepare_contacts() {
         mailbox->post([this, ticket, prepared] {
           if (ticket != scanning_.ticket) return;
           state_.scanning.active = false;
-          if (prepared)
-            look_for_contacts();
-          else
+          if (!prepared)
             tell(Notice::Kind::error, prepared.error());
+          else if (!state_.source_strip || !state_.source_strip->complete() || !state_.strip ||
+                   !state_.strip->complete() || !state_.strip_is_current)
+            look_for_contacts();
         });
       });
 }

@@ -108,6 +108,7 @@ struct PictureKey {
   Camera camera;
   Compare compare = Compare::both;
   bool trails = false, limb = false, light = false;
+  int cone = -1;  // the swing whose limit is shown
   int width = 0, height = 0;
   bool operator==(const PictureKey&) const = default;
 };
@@ -273,6 +274,7 @@ class EditorWindow {
                    view.show_trails,
                    view.show_limb,
                    light_,
+                   view.swing_in_picture ? view.swing_joint : -1,
                    width,
                    height};
     const double now = glfwGetTime();

@@ -39,6 +39,7 @@ class Finder {
     take_names();
     take_shapes();
     settle_sides();
+    drop_denied();
     LimbFindings findings;
     for (const LimbKind kind : kKinds) {
       if (found_[slot(kind)]) {
@@ -83,6 +84,7 @@ class Finder {
 
   void take_overrides() {
     for (const auto& [name, joints] : overrides_) {
+      if (joints.none()) continue;  // see drop_denied
       const auto limb = limb_between(model_, character_, name, joints);
       if (!limb) {
         warnings_.push_back(name + ", as it was set by hand, is not there: " + limb.error().what);
@@ -240,6 +242,16 @@ class Finder {
                                    : turned ? "; the side by where feet, knees and elbows look"
                                             : "; the side by where it stands, facing +z";
       }
+    }
+  }
+
+  // What was said to be no limb is found first, for it tells the sides of the others.
+  void drop_denied() {
+    for (const LimbKind kind : kKinds) {
+      const auto set = overrides_.find(limb_id(kind));
+      if (set == overrides_.end() || !set->second.none()) continue;
+      found_[slot(kind)].reset();
+      reasons_[slot(kind)] = "it was said by hand to be no limb";
     }
   }
 

@@ -43,9 +43,10 @@ struct LimbFindings {
 
 // What an animator says that a limb goes from and to, by joint names (or node indices): of an arm
 // or leg by its limb_id, or of a chain by any name. Without a middle the joint that leaves the most
-// equal bones is taken.
+// equal bones is taken. Without any joint the limb is said to be none: it is not looked for.
 struct LimbJoints {
   std::string from, middle, to;
+  bool none() const { return from.empty() && middle.empty() && to.empty(); }
   bool operator==(const LimbJoints&) const = default;
 };
 using LimbOverrides = std::map<std::string, LimbJoints>;

@@ -166,20 +166,14 @@ void append_dofs(LimbKind kind, LimbJointRole role, const JointModel& model,
   }
 }
 
-Status set_swing_polygon(LimbModel& limb, LimbJointRole role,
-                         std::vector<std::array<double, 2>> corners, bool keep_ellipse) {
+Status set_swing_polygon(LimbModel& limb, LimbJointRole role, const SwingPolygon& corners,
+                         bool keep_ellipse) {
   const JointModel& joint = limb.joints[static_cast<std::size_t>(role)];
   const int first = joint.first_dof;
   const bool swings = joint.kind == JointModelKind::ball || joint.kind == JointModelKind::swing;
   if (!swings || first < 0 || first + 1 >= limb.dof_count())
     return Error{"the joint has no swing to bound", limb.limb.name, "choose another joint"};
-  for (const auto& corner : corners) {
-    // A swing by pi is singular.
-    if (!(std::hypot(corner[0], corner[1]) < kPi))
-      return Error{"a corner is half a turn or more from the zero pose", limb.limb.name,
-                   "draw it nearer"};
-  }
-  auto polygon = make_polygon_limit(first, first + 1, std::move(corners));
+  auto polygon = make_swing_polygon(first, first + 1, corners);
   if (!polygon) return polygon.error();
   DofSpace& space = limb.space;
   const auto of_joint = [&](const auto& limit) { return limit.first == first; };
@@ -199,10 +193,9 @@ Status set_swing_polygon(LimbModel& limb, LimbJointRole role,
   return Done{};
 }
 
-std::vector<std::array<double, 2>> polygon_of_ellipse(const LimbModel& limb, LimbJointRole role,
-                                                      int corners) {
+SwingPolygon polygon_of_ellipse(const LimbModel& limb, LimbJointRole role, int corners) {
   const int first = limb.joints[static_cast<std::size_t>(role)].first_dof;
-  std::vector<std::array<double, 2>> polygon;
+  SwingPolygon polygon;
   for (const EllipseLimit& ellipse : limb.space.ellipses) {
     if (ellipse.first != first) continue;
     const Dof& a = limb.space.dofs[static_cast<std::size_t>(ellipse.first)];
@@ -214,6 +207,24 @@ std::vector<std::array<double, 2>> polygon_of_ellipse(const LimbModel& limb, Lim
     }
   }
   return polygon;
+}
+
+SwingPolygon swing_polygon_of(const LimbModel& limb, LimbJointRole role, int corners) {
+  const JointModel& joint = limb.joints[static_cast<std::size_t>(role)];
+  const int first = joint.first_dof;
+  const bool swings = joint.kind == JointModelKind::ball || joint.kind == JointModelKind::swing;
+  if (!swings || first < 0 || first + 1 >= limb.dof_count()) return {};
+  SwingPolygon polygon = polygon_of_ellipse(limb, role, corners);
+  if (polygon.empty()) {
+    const Dof& a = limb.space.dofs[static_cast<std::size_t>(first)];
+    const Dof& b = limb.space.dofs[static_cast<std::size_t>(first) + 1];
+    polygon = {{a.lower, b.lower}, {a.upper, b.lower}, {a.upper, b.upper}, {a.lower, b.upper}};
+  }
+  // Corners that the ranges have put in one place or on one line are none.
+  polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
+  while (polygon.size() > 1 && polygon.front() == polygon.back()) polygon.pop_back();
+  const auto limit = make_swing_polygon(first, first + 1, polygon);
+  return limit ? limit->corners : SwingPolygon{};
 }
 
 }  // namespace elbowroom

@@ -23,6 +23,7 @@
 #include "core/anatomy/limb.h"
 #include "core/anatomy/limb_model.h"
 #include "core/base/dof_space.h"
+#include "core/base/swing_polygon.h"
 
 namespace elbowroom {
 
@@ -41,17 +42,20 @@ ZeroDirection zero_direction(bool arm);
 void append_dofs(LimbKind kind, LimbJointRole role, const JointModel& model,
                  const std::string& joint_name, DofSpace& space);
 
-// Bounds the swing of a joint of a limb by a polygon (core/base/dof_space.h) in place of the one it
-// has; its ellipse is dropped unless `keep_ellipse`, and its ranges become the polygon's, sampling
-// intervals no wider. Corners are (first swing, second swing): of a shoulder up and forward of the
-// zero pose. Error: a joint without a swing, a corner at half a
-// turn or beyond, or no such polygon; the limb is unchanged then.
-Status set_swing_polygon(LimbModel& limb, LimbJointRole role,
-                         std::vector<std::array<double, 2>> corners, bool keep_ellipse = false);
+// Bounds the swing of a joint of a limb by a polygon (core/base/swing_polygon.h) in place of the
+// one it has; its ellipse is dropped unless `keep_ellipse`, and its ranges become the polygon's,
+// sampling intervals no wider. Corners are (first swing, second swing): of a shoulder up and
+// forward of the zero pose. Error: a joint without a swing, a corner at half a turn or beyond, or
+// no such polygon; the limb is unchanged then.
+Status set_swing_polygon(LimbModel& limb, LimbJointRole role, const SwingPolygon& corners,
+                         bool keep_ellipse = false);
 
 // Corners on the ellipse that a joint's swing has, within its ranges, a start for editing; empty
 // without one.
-std::vector<std::array<double, 2>> polygon_of_ellipse(const LimbModel& limb, LimbJointRole role,
-                                                      int corners = 12);
+SwingPolygon polygon_of_ellipse(const LimbModel& limb, LimbJointRole role, int corners = 12);
+
+// The same for any joint that swings: where it has no ellipse, the corners of its ranges. A polygon
+// that can be edited (core/base/swing_polygon.h), or empty where the ranges leave no room for one.
+SwingPolygon swing_polygon_of(const LimbModel& limb, LimbJointRole role, int corners = 12);
 
 }  // namespace elbowroom

@@ -16,6 +16,7 @@
 
 #include "core/anatomy/limb.h"
 #include "core/animation/splice.h"
+#include "core/base/swing_polygon.h"
 #include "core/scene/scene_description.h"
 
 namespace elbowroom {
@@ -98,9 +99,14 @@ struct Draft {
   bool operator==(const Draft&) const = default;
 };
 
+// How far a limb's joints may swing, as the animator says, by the limb's name: polygons of its root,
+// middle and end. Empty: as far as the joint's own limit. A limb without any has no entry.
+using SwingLimits = std::map<std::string, std::array<SwingPolygon, 3>>;
+
 struct Document {
   SceneDescription scene;
   LimbOverrides limbs;  // which joints the animator says a limb has; by limb_id, or chains by name
+  SwingLimits swing_limits;
   Draft draft;
   std::vector<Task> tasks;
   std::vector<Correction> corrections;  // in order: later ones lie over earlier ones

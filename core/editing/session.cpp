@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
+
+#include "core/anatomy/limits.h"
 
 namespace elbowroom {
 namespace {
@@ -30,19 +33,31 @@ void make_way_for(Session& session, const Limb& limb) {
   session.findings.limbs.push_back(limb);
 }
 
-Status read_scene(const Document& document, Session& session) {
-  session.document = document;
-  auto scene = open_scene(document.scene);
-  if (!scene) return scene.error();
-  session.scene = std::move(*scene);
+// The limbs of a scene that has been read.
+void find_in_scene(Session& session) {
+  const Document& document = session.document;
   session.warnings = session.scene.warnings;
   session.findings = find_limbs(session.scene.model(), session.character(), document.limbs);
   for (const auto& warning : session.findings.warnings) session.warnings.push_back(warning);
   for (const auto& [name, joints] : document.limbs) {
     const auto set = std::find_if(session.findings.limbs.begin(), session.findings.limbs.end(),
                                   [&](const Limb& limb) { return limb.name == name; });
-    if (set != session.findings.limbs.end()) make_way_for(session, Limb(*set));
+    if (set == session.findings.limbs.end()) continue;
+    const Limb limb = *set;
+    for (const Limb& other : session.findings.limbs)
+      if (other.name != name && share_joints(session, other, limb))
+        session.warnings.push_back(other.name + " gives way to " + name +
+                                   ", as it was set by hand: they share joints");
+    make_way_for(session, limb);
   }
+}
+
+Status read_scene(const Document& document, Session& session) {
+  session.document = document;
+  auto scene = open_scene(document.scene);
+  if (!scene) return scene.error();
+  session.scene = std::move(*scene);
+  find_in_scene(session);
   return Done{};
 }
 
@@ -66,6 +81,21 @@ Status ask_for(Session& session, const std::string& name, Asked& asked) {
   return Done{};
 }
 
+// Puts the swing limits that the document has for the limb in place of its own. What they cannot be
+// put to is told of by a warning.
+void set_swing_limits(Session& session, LimbModel& limb) {
+  const auto set = session.document.swing_limits.find(limb.limb.name);
+  if (set == session.document.swing_limits.end()) return;
+  for (const LimbJointRole role :
+       {LimbJointRole::root, LimbJointRole::middle, LimbJointRole::end}) {
+    const SwingPolygon& polygon = set->second[static_cast<std::size_t>(role)];
+    if (polygon.empty()) continue;
+    if (Status done = set_swing_polygon(limb, role, polygon); !done)
+      session.warnings.push_back("a swing limit of " + limb.limb.name +
+                                 " is passed over: " + done.error().what);
+  }
+}
+
 // Fits what was found. Error: the first limb that was asked for and can't be fitted; of others a
 // warning tells.
 Status fit_limbs(Session& session, const Asked& asked) {
@@ -73,7 +103,11 @@ Status fit_limbs(Session& session, const Asked& asked) {
   for (const Limb& limb : session.findings.limbs) {
     auto fitted =
         fit_limb_model(session.scene.model(), session.character(), limb, session.findings);
-    if (fitted) session.limbs.push_back(std::move(*fitted));
+    if (fitted) {
+      session.own_limits.push_back(fitted->space);
+      set_swing_limits(session, *fitted);
+      session.limbs.push_back(std::move(*fitted));
+    }
     const auto index = static_cast<int>(session.limbs.size()) - 1;
     bool was_asked = false;
     for (const auto& [name, other] : asked) {
@@ -118,10 +152,12 @@ Result<Session> open_session(const Document& document, const std::vector<std::st
   return session;
 }
 
-Result<Session> open_project_session(const Document& document) {
-  Session session;
-  if (Status read = read_scene(document, session); !read) return read.error();
-  std::set<std::string> named = {document.draft.limb};
+namespace {
+
+// `named`: limbs asked for besides those that the document names.
+void fit_project(Session& session, std::set<std::string> named = {}) {
+  const Document& document = session.document;
+  named.insert(document.draft.limb);
   for (const Task& task : document.tasks) named.insert(task.limb);
   for (const Correction& correction : document.corrections) named.insert(correction.limb);
   Asked asked;
@@ -132,7 +168,26 @@ Result<Session> open_project_session(const Document& document) {
   }
   // One that can't be fitted has been told of by a warning.
   (void)fit_limbs(session, asked);
+}
+
+}  // namespace
+
+Result<Session> open_project_session(const Document& document) {
+  Session session;
+  if (Status read = read_scene(document, session); !read) return read.error();
+  fit_project(session);
   return session;
+}
+
+Session refit_project_session(const Session& session, const Document& document) {
+  Session fresh;
+  fresh.document = document;
+  fresh.scene = session.scene;
+  find_in_scene(fresh);
+  std::set<std::string> named;
+  for (const auto& [name, index] : session.named) named.insert(name);
+  fit_project(fresh, std::move(named));
+  return fresh;
 }
 
 Result<std::vector<int>> limbs_named(const Session& session, const std::string& limb) {

@@ -19,6 +19,7 @@ struct Session {
   OpenedScene scene;
   LimbFindings findings;
   std::vector<LimbModel> limbs;      // fitted; in the order of SceneCollision's indices
+  std::vector<DofSpace> own_limits;  // of each limb before the document's swing limits
   std::map<std::string, int> named;  // what limbs were asked for as, and their indices in `limbs`
   std::vector<std::string> warnings;
 
@@ -41,6 +42,10 @@ Result<Session> open_session(const Document& document, const std::vector<std::st
 // The same with every limb that the document's draft, tasks and corrections name by joints. Ones
 // that are not there any more are told of by a warning: what an editor opens should open.
 Result<Session> open_project_session(const Document& document);
+
+// The session of another version of the document whose scene is the same: what was read is kept,
+// the limbs are found and fitted anew. Some milliseconds.
+Session refit_project_session(const Session& session, const Document& document);
 
 // The limb indices that LIMB (auto: every one) means. Error: no such limb, with what there is.
 Result<std::vector<int>> limbs_named(const Session& session, const std::string& limb);

@@ -14,10 +14,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 constexpr int kVersion = 1;
+constexpr const char* kNoLimb = "none";
+constexpr std::array<const char*, 3> kLimbJoints = {"root", "middle", "end"};
 
 // What the parser below throws inside this file only: the place and what is wrong there.
 struct Damage {
   std::string where, what;
+  std::string remedy = "correct it by hand or take an older copy";
 };
 
 const Json& member(const Json& object, const char* key, const std::string& where) {
@@ -194,6 +197,10 @@ LimbOverrides limbs_of(const Json& object, const std::string& where) {
   LimbOverrides limbs;
   for (const auto& [name, value] : object_of(object, where).items()) {
     const std::string place = where + "/" + name;
+    if (!name.empty() && value == kNoLimb) {
+      limbs[name] = {};
+      continue;
+    }
     const Json& list = array_of(value, place);
     if (name.empty() || (list.size() != 2 && list.size() != 3))
       throw Damage{place,
@@ -210,6 +217,10 @@ LimbOverrides limbs_of(const Json& object, const std::string& where) {
 Json json_of(const LimbOverrides& limbs) {
   Json object = Json::object();
   for (const auto& [name, joints] : limbs) {
+    if (joints.none()) {
+      object[name] = kNoLimb;
+      continue;
+    }
     Json& list = object[name] = Json::array({joints.from});
     if (!joints.middle.empty()) list.push_back(joints.middle);
     list.push_back(joints.to);
@@ -217,9 +228,54 @@ Json json_of(const LimbOverrides& limbs) {
   return object;
 }
 
+SwingPolygon polygon_of(const Json& value, const std::string& where) {
+  SwingPolygon corners;
+  for (const Json& corner : array_of(value, where))
+    corners.push_back(numbers_of<2>(corner, where + "/" + std::to_string(corners.size())));
+  if (const auto limit = make_swing_polygon(0, 1, corners); !limit)
+    throw Damage{where, "this is no swing limit: " + limit.error().what,
+                 limit.error().remedy + ", or remove it to have the joint's own limit"};
+  return counter_clockwise(std::move(corners));
+}
+
+SwingLimits swing_limits_of(const Json& object, const std::string& where) {
+  SwingLimits limits;
+  for (const auto& [limb, joints] : object_of(object, where).items()) {
+    const std::string place = where + "/" + limb;
+    object_of(joints, place);
+    for (std::size_t i = 0; i < kLimbJoints.size(); ++i)
+      if (joints.contains(kLimbJoints[i]))
+        limits[limb][i] = polygon_of(joints[kLimbJoints[i]], place + "/" + kLimbJoints[i]);
+  }
+  return limits;
+}
+
+Json json_of(const SwingLimits& limits) {
+  Json object = Json::object();
+  for (const auto& [limb, polygons] : limits)
+    for (std::size_t i = 0; i < polygons.size(); ++i)
+      for (const auto& corner : polygons[i])
+        object[limb][kLimbJoints[i]].push_back(Json::array({corner[0], corner[1]}));
+  return object;
+}
+
+// What of a limb's swing limits is known stays away if it has been taken away.
+void keep_unknown_of_swings(Json& fresh, const Json& old) {
+  if (!old.is_object()) return;
+  for (const auto& [limb, joints] : old.items()) {
+    if (!joints.is_object()) continue;
+    for (const auto& [key, value] : joints.items())
+      if (std::none_of(kLimbJoints.begin(), kLimbJoints.end(),
+                       [&key](const char* joint) { return key == joint; }))
+        fresh[limb][key] = value;
+  }
+}
+
 Document document_of(const Json& root, const std::filesystem::path& folder) {
   Document document;
   if (root.contains("limbs")) document.limbs = limbs_of(root["limbs"], "/limbs");
+  if (root.contains("swing_limits"))
+    document.swing_limits = swing_limits_of(root["swing_limits"], "/swing_limits");
   const Json& scene = object_of(member(root, "scene", "/"), "/scene");
   document.scene.character =
       resolved(folder, member(scene, "character", "/scene"), "/scene/character");
@@ -358,8 +414,7 @@ Result<Document> read_project(const std::filesystem::path& file) {
   try {
     return document_of(*root, file.parent_path());
   } catch (const Damage& damage) {
-    return Error{damage.what, file.string() + " at " + damage.where,
-                 "correct it by hand or take an older copy"};
+    return Error{damage.what, file.string() + " at " + damage.where, damage.remedy};
   } catch (const nlohmann::json::exception& problem) {
     return Error{problem.what(), file.string(), "correct it by hand or take an older copy"};
   }
@@ -384,6 +439,7 @@ Result<std::string> project_text(const std::filesystem::path& file, const Docume
          {"translation", json_of(attached.joint_from_object.translation)},
          {"rotation", json_of(attached.joint_from_object.rotation)}});
   root["limbs"] = json_of(document.limbs);
+  root["swing_limits"] = json_of(document.swing_limits);
   root["draft"] = json_of(document.draft);
   root["tasks"] = Json::array();
   for (const auto& task : document.tasks) {
@@ -436,6 +492,8 @@ Result<std::string> project_text(const std::filesystem::path& file, const Docume
       keep_unknown(root, *old);
       for (const char* part : {"scene", "draft"})
         if (old->contains(part)) keep_unknown(root[part], (*old)[part]);
+      if (old->contains("swing_limits"))
+        keep_unknown_of_swings(root["swing_limits"], (*old)["swing_limits"]);
       if (old->contains("tasks")) keep_unknown_in_list(root["tasks"], (*old)["tasks"]);
       if (old->contains("corrections"))
         keep_unknown_in_list(root["corrections"], (*old)["corrections"]);

@@ -7,7 +7,9 @@
 //       "scene": {"character": "ada.glb", "clip": "Walk", "obstacles": ["posts.glb"],
 //                 "attachments": [{"file": "umbrella.glb", "joint": "RightHand",
 //                                  "translation": [x, y, z], "rotation": [x, y, z, w]}]},
-//       "limbs": {"left_arm": ["Shoulder", "Wrist"], "tail": ["Tail1", "Tail3", "Tail6"]},
+//       "limbs": {"left_arm": ["Shoulder", "Wrist"], "tail": ["Tail1", "Tail3", "Tail6"],
+//                 "right_leg": "none"},
+//       "swing_limits": {"right_arm": {"root": [[-0.9, -1.2], [1.1, -1.2], [0.4, 1.3]]}},
 //       "tasks": [{"kind": "correct", "name": "...", "clip": "Walk", "limb": "right_arm",
 //                  "window": [1.2, 2.05], "seed": 7, "alternatives": 1, "clearance": 0,
 //                  "max_iterations": 4000, "max_seconds": 0, "sampling": {"Elbow, flexion":
@@ -22,10 +24,12 @@
 //     }
 //
 // A task without a clip is any clip's, a correction without one that of the clip chosen in `scene`.
-// Limbs set by hand go from a joint to one below it, or over a middle between them; others are
-// found. A window that is absent or "auto" is automatic. A target without orientation leaves the
-// hand free. The draft is what the editor is preparing. Keys that this version doesn't know survive
-// a save over the same file, at the top level, in the scene, and in tasks and corrections.
+// Limbs set by hand go from a joint to one below it, or over a middle between them, or are none;
+// others are found. A limb's swing limits are polygons of its root, middle and end, their corners
+// (first swing, second swing) from the zero pose in radians, in order round it. A window that is
+// absent or "auto" is automatic. A target without orientation leaves the hand free. The draft is
+// what the editor is preparing. Keys that this version doesn't know survive a save over the same
+// file, at the top level, in the scene, in a limb's swing limits, and in tasks and corrections.
 #pragma once
 
 #include <filesystem>

@@ -31,6 +31,9 @@ void Dialogs::draw(const PanelContext& context) {
     case Dialog::shortcuts:
       shortcuts(context);
       break;
+    case Dialog::limb_joints:
+      limb_joints_.draw(context);
+      break;
     case Dialog::discard:
     case Dialog::discard_for_opening:
       unsaved(context);
@@ -59,6 +62,9 @@ void Dialogs::open_files(const PanelContext& context) {
       break;
     case Dialog::export_clip:
       open_dialog(file_dialog_, proposed_export(character));
+      break;
+    case Dialog::limb_joints:
+      limb_joints_.open(context);
       break;
     default:
       break;

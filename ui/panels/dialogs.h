@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The dialogs that lie over the window: files in and out, the sheet of shortcuts, unsaved work.
+// The dialogs that lie over the window: files in and out, the sheet of shortcuts, the limbs'
+// joints, unsaved work.
 #pragma once
 
+#include "ui/panels/limb_joints.h"
 #include "ui/panels/panel.h"
 #include "ui/toolkit/file_dialog.h"
 
@@ -20,6 +22,7 @@ class Dialogs {
   void recover(const PanelContext& context);
 
   FileDialog file_dialog_;
+  LimbJointsDialog limb_joints_;
   Dialog shown_ = Dialog::none;
   Dialog after_saving_ = Dialog::none;  // what the save dialog was opened for
 };

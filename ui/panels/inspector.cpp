@@ -39,13 +39,18 @@ void choose_limb(const PanelContext& context) {
   }
   if (context.state.session->limbs.empty())
     inline_note(context.ui, Tone::problem, "No limb was found on this character",
-                "Its joints have no names that are known here; `elbowroom info` lists them.");
+                "Neither its joints' names nor its shape say which they are.");
+  space(context.ui);
+  if (button(context.ui, "Choose joints…",
+             {.hint = "Says which joints a limb has, or adds a chain"}))
+    context.view.dialog = Dialog::limb_joints;
 }
 
 }  // namespace
 
 void draw_inspector(const PanelContext& context, const Rect& rect) {
   Ui& ui = context.ui;
+  context.view.swing_in_picture = false;  // the map says so, where it is shown
   const bool planning = context.state.open() && context.state.limb >= 0;
   // The tabs' own line stays whatever the plan has to say.
   const float foot = planning ? std::min(plan_section_height(context),

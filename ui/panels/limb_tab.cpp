@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The limb panel: per DOF its anatomical name, limits, value and sampling interval [SKF07 4.2].
+// The limb panel: per DOF its anatomical name, limits, value and sampling interval [SKF07 4.2]; how
+// far its joints swing; which joints they are, and why.
 #include "ui/panels/panel.h"
 #include "ui/toolkit/fields.h"
 #include "ui/toolkit/range_slider.h"
@@ -8,9 +9,15 @@
 namespace elbowroom {
 namespace {
 
-Phase phase_of(const Edit& edit) {
-  if (edit.cancelled) return Phase::cancelled;
-  return edit.committed ? Phase::committed : Phase::changing;
+// "Shoulder, forward" for "Shoulder, swing forward": the whole name does not fit into a narrow
+// window, and the widget keeps it.
+std::string shown_name(const std::string& dof) {
+  const std::string swing = ", swing ";
+  const std::size_t at = dof.find(swing);
+  const std::size_t rest = at + swing.size();
+  if (at == std::string::npos || (rest < dof.size() && dof[rest] >= '0' && dof[rest] <= '9'))
+    return dof;
+  return dof.substr(0, at) + ", " + dof.substr(rest) + "###" + dof;
 }
 
 void presets(const PanelContext& context, const LimbModel& limb) {
@@ -54,7 +61,7 @@ void draw_limb_tab(const PanelContext& context) {
     range.clip = dof.clip_value;
     RangeOptions options;
     options.hint = "Where the planner looks for postures; double-click resets";
-    const Edit edit = range_slider(ui, dof.name, range, options);
+    const Edit edit = range_slider(ui, shown_name(dof.name), range, options);
     if (edit.cancelled)
       context.emit(
           command::SetSampling{dof.name, Interval{range.low, range.high}, Phase::cancelled});
@@ -65,6 +72,8 @@ void draw_limb_tab(const PanelContext& context) {
       context.emit(command::SetSampling{dof.name, wanted, phase_of(edit)});
     }
   }
+  draw_swing_section(context);
+  draw_joints_section(context);
 }
 
 }  // namespace elbowroom

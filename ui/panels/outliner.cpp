@@ -25,7 +25,7 @@ void draw_limb(const PanelContext& context, int index) {
   row.indent = 1;
   row.icon = Icon::dot;
   row.selected = state.limb == index;
-  row.hint = "Click to work on this limb; double-click chooses its first problem";
+  row.hint = "Click: work on this limb · Double-click: its first problem · Right click: its joints";
   std::string badge;
   const auto& strip = state.strip;
   if (!strip || !strip->complete() || !state.strip_is_current) {
@@ -43,7 +43,18 @@ void draw_limb(const PanelContext& context, int index) {
       row.badge = badge;
     }
   }
+  const auto scope = context.ui.scope(1000 + index);
   const RowResult result = list_row(context.ui, limb_title(limb.limb.name), row);
+  if (result.context) ImGui::OpenPopup("limb");
+  if (begin_popup(context.ui, "limb")) {
+    if (menu_item(context.ui, "Choose joints…")) {
+      context.view.joints_of = limb.limb.name;
+      context.view.dialog = Dialog::limb_joints;
+    }
+    if (menu_item(context.ui, "Not a limb"))
+      context.emit(command::SetLimbJoints{limb.limb.name, LimbJoints{}});
+    end_popup(context.ui);
+  }
   if (result.double_clicked)
     context.emit(command::SelectProblem{index, 0});
   else if (result.clicked)

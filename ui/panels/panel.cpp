@@ -30,6 +30,11 @@ std::string duration_text(double milliseconds) {
                              : number_text(milliseconds / 1000, 1, "s");
 }
 
+Phase phase_of(const Edit& edit) {
+  if (edit.cancelled) return Phase::cancelled;
+  return edit.committed ? Phase::committed : Phase::changing;
+}
+
 std::string sentence(std::string text) {
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
     text[0] = static_cast<char>(text[0] - 'a' + 'A');

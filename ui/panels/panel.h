@@ -33,6 +33,7 @@ std::string length_text(double metres);
 std::string degrees_text(double radians, int decimals = 0);
 // How long something took: "240 ms", "8.7 s".
 std::string duration_text(double milliseconds);
+Phase phase_of(const Edit& edit);
 // With a capital at its beginning, if that is a plain letter.
 std::string sentence(std::string text);
 
@@ -40,6 +41,8 @@ void draw_menu_bar(const PanelContext& context, const Rect& rect);
 void draw_outliner(const PanelContext& context, const Rect& rect);
 void draw_inspector(const PanelContext& context, const Rect& rect);
 void draw_limb_tab(const PanelContext& context);
+void draw_swing_section(const PanelContext& context);
+void draw_joints_section(const PanelContext& context);
 void draw_target_tab(const PanelContext& context);
 void draw_planner_tab(const PanelContext& context);
 // The button, progress, the plan's card: always in sight at the inspector's foot.

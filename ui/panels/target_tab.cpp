@@ -98,7 +98,6 @@ void draw_target_tab(const PanelContext& context) {
     ButtonOptions here;
     here.icon = Icon::target;
     here.shortcut = "T";
-    here.hint = "Start from where the " + std::string(name) + " is now, then drag it";
     const std::string here_hint = "Start from where the " + name + " is now, then drag it";
     here.hint = here_hint;
     if (button(ui, "Target where the " + name + " is###Target here", here))

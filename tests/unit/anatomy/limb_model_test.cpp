@@ -440,6 +440,24 @@ TEST(LimbModel, SwingsMayBeBoundedByPolygons) {
   EXPECT_EQ(arm.space.polygons[0].corners, kept.polygons[0].corners);
 }
 
+// Whatever joint swings can be edited as a polygon, with as many corners as one likes.
+TEST(LimbModel, EverySwingHasAPolygonToBeginWith) {
+  const Body body = make_body({});
+  for (const LimbKind kind : {LimbKind::left_arm, LimbKind::right_leg}) {
+    const LimbModel limb = fit(body, kind);
+    for (const LimbJointRole role : {LimbJointRole::root, LimbJointRole::end}) {
+      if (limb.joints[static_cast<std::size_t>(role)].kind == JointModelKind::fixed) continue;
+      for (const int corners : {3, 8, 10, 12, 72, 96, 360}) {
+        const SwingPolygon polygon = swing_polygon_of(limb, role, corners);
+        ASSERT_GE(polygon.size(), 3u) << limb.limb.name << " with " << corners;
+        LimbModel edited = limb;
+        EXPECT_TRUE(set_swing_polygon(edited, role, polygon).ok());
+      }
+    }
+    EXPECT_TRUE(swing_polygon_of(limb, LimbJointRole::middle).empty()) << "a hinge has none";
+  }
+}
+
 TEST(LimbModel, DegenerateRigsAreRefusedWithAReason) {
   Body body = make_body({});
   const LimbFindings findings = find_limbs(body.model, body.character());
