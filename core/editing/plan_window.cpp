@@ -163,7 +163,8 @@ class WindowPlanner {
                      [](const Planned& a, const Planned& b) { return a.cost < b.cost; });
     for (const Planned& next : waiting) {
       if (is_good() || stop_.stop_requested()) break;
-      const bool known = std::any_of(ways.begin(), ways.end(), [&](const Way& way) {
+      // Where several are asked for, curves tell better than paths which are apart.
+      const bool known = asked_ == 1 && std::any_of(ways.begin(), ways.end(), [&](const Way& way) {
         return way.path_cost <= next.cost && same_way_around(world, p_, way.motion, next.paths);
       });
       if (!known) fit_way(world, next, ways);
