@@ -39,11 +39,11 @@ struct Axis {
 };
 
 struct Entry {
-  BoxTree::Ref open;     // node of tree `side` whose children are tested
-  BoxTree::Ref against;  // node or triangle of the other tree
-  Box box;               // of `against`, in its own frame
-  float shrinks;         // of `box`
-  float bound;           // lower bound of the distance; visit_closest_pairs only
+  BoxTree::Ref open;      // node of tree `side` whose children are tested
+  BoxTree::Ref against;   // node or triangle of the other tree
+  Box box;                // of `against`, in its own frame
+  float shrinks;          // of `box`
+  float bound;            // lower bound of the distance; visit_closest_pairs only
   std::uint64_t classes;  // of patches, of `against` (patch_regions.h)
   int side;
 };

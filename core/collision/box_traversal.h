@@ -29,8 +29,8 @@ struct Apart {
 };
 
 // Visits all pairs of triangles whose boxes are not surely farther apart than `distance`, deepest
-// first. True if the visitor stopped it. What is allowed by `regions` (null: nothing is) is left out
-// where whole boxes are; the visitor still sees some.
+// first. True if the visitor stopped it. What is allowed by `regions` (null: nothing is) is left
+// out where whole boxes are; the visitor still sees some.
 bool visit_close_pairs(const BoxTree& a, const BoxTree& b, const RigidTransform& a_from_b,
                        double distance, const PatchRegions* regions, PairVisitor visitor,
                        void* context, Apart* apart = nullptr);
@@ -45,8 +45,8 @@ struct ClosestSoFar {
 // visitor lowers as it finds closer triangles. Boxes are compared along so_far.axis too: about the
 // closest points of smooth surfaces that axis separates nearly everything else.
 bool visit_closest_pairs(const BoxTree& a, const BoxTree& b, const RigidTransform& a_from_b,
-                         const ClosestSoFar& so_far, const PatchRegions* regions, PairVisitor visitor,
-                         void* context);
+                         const ClosestSoFar& so_far, const PatchRegions* regions,
+                         PairVisitor visitor, void* context);
 
 // The transform is finite, so that anything can be said about the pair.
 bool is_finite(const RigidTransform& t);

@@ -49,7 +49,7 @@ struct BoxTree {
     std::int32_t slabs = 2;  // 1 if no child has a second one
   };
 
-  Vec3 origin{0.0};  // about the middle; float values
+  Vec3 origin{0.0};             // about the middle; float values
   Vec3 lower{0.0}, upper{0.0};  // of all triangles, relative to origin, exact
   std::vector<Node> nodes;      // root first, children after their parents; empty without triangles
   float root_center[3] = {0, 0, 0};

@@ -76,7 +76,7 @@ struct LimbPlanningSpace::Data {
   struct PairState {
     const std::vector<bool>* cross = nullptr;  // patches that may cross, null: none
     std::shared_ptr<const PatchRegions> near_regions, cross_regions;
-    bool near_only = false;                    // some are allowed to be near but not to cross
+    bool near_only = false;  // some are allowed to be near but not to cross
     double distance = 0;
     PairCache cache, cross_cache;
     long hits = 0;

@@ -28,13 +28,13 @@ struct CollisionMesh::Data {
   std::vector<glm::uvec3> triangles;
   BoxTree tree;
   Topology topology;
-  std::vector<ComponentPlace> places;   // one a component
+  std::vector<ComponentPlace> places;                         // one a component
   std::vector<std::pair<std::uint32_t, std::uint32_t>> used;  // vertex and component, each once
-  std::vector<glm::vec3> loop_middles;  // one a loop
-  bool can_enclose = false;             // some component encloses
-  std::vector<BoxPack> enclosing;       // boxes of components that do, relative to tree.origin
-  bool was_refit = false;               // it may be again: ray scenes are short-lived
-  glm::vec3 low{0.0f}, high{0.0f};      // box of all components, in the mesh's frame
+  std::vector<glm::vec3> loop_middles;                        // one a loop
+  bool can_enclose = false;                                   // some component encloses
+  std::vector<BoxPack> enclosing;   // boxes of components that do, relative to tree.origin
+  bool was_refit = false;           // it may be again: ray scenes are short-lived
+  glm::vec3 low{0.0f}, high{0.0f};  // box of all components, in the mesh's frame
 
   // Rays against the surface, and against the caps of openings apart from it: caps count for
   // inside and outside, never for contact. Coordinates are relative to tree.origin. Built when

@@ -151,8 +151,7 @@ bool visit_crossing(void* context, std::uint32_t one, const std::uint32_t* many,
 
 bool components_cross(const Query& q, std::uint32_t component_a, std::uint32_t component_b) {
   Crossing crossing{q, component_a, component_b};
-  return visit_close_pairs(q.a.tree, q.b.tree, q.a_from_b, 0.0, nullptr, visit_crossing,
-                           &crossing);
+  return visit_close_pairs(q.a.tree, q.b.tree, q.a_from_b, 0.0, nullptr, visit_crossing, &crossing);
 }
 
 struct Containment {
@@ -260,8 +259,7 @@ bool in_contact(const CollisionMesh& a, const CollisionMesh& b, const RigidTrans
   Search search(query, cache);
   Apart apart;
   if (visit_close_pairs(query.a.tree, query.b.tree, a_from_b, query.distance, filter.regions,
-                        visit_search, &search,
-                        &apart)) {
+                        visit_search, &search, &apart)) {
     return true;
   }
   // No contact was found, so only allowed pairs can cross.
@@ -283,8 +281,7 @@ bool reach_each_other(const CollisionMesh& a, const CollisionMesh& b,
     if (visit_reach(&search, cache->triangle_a, &cache->triangle_b, 1, true)) return true;
   }
   return visit_close_pairs(query.a.tree, query.b.tree, a_from_b, query.distance, filter.regions,
-                           visit_reach,
-                           &search);
+                           visit_reach, &search);
 }
 
 void find_contacts(const CollisionMesh& a, const CollisionMesh& b, const RigidTransform& a_from_b,
@@ -294,8 +291,7 @@ void find_contacts(const CollisionMesh& a, const CollisionMesh& b, const RigidTr
   if (query.a.tree.empty() || query.b.tree.empty() || !is_finite(a_from_b)) return;
   Collection collection{query, out};
   visit_close_pairs(query.a.tree, query.b.tree, a_from_b, query.distance, filter.regions,
-                    visit_collection,
-                    &collection);
+                    visit_collection, &collection);
   std::sort(out.begin(), out.end(), [](const TriangleContact& x, const TriangleContact& y) {
     return x.triangle_a != y.triangle_a ? x.triangle_a < y.triangle_a : x.triangle_b < y.triangle_b;
   });

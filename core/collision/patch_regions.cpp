@@ -64,9 +64,9 @@ std::shared_ptr<const PatchRegions> patch_regions(const CollisionMesh& a, const 
   const auto sizes_b = patch_sizes(filter.patch_of_b, db.triangles.size());
   const std::vector<int> patches_a = used(sizes_a), patches_b = used(sizes_b);
   const auto allows = [&](int p, int q) {
-    return (*filter.allowed)[static_cast<std::size_t>(p) *
-                                 static_cast<std::size_t>(filter.patches_b) +
-                             static_cast<std::size_t>(q)];
+    return (
+        *filter.allowed)[static_cast<std::size_t>(p) * static_cast<std::size_t>(filter.patches_b) +
+                         static_cast<std::size_t>(q)];
   };
 
   // Classes of b's patches, those with the most triangles first.

@@ -148,9 +148,8 @@ void allow_from_clip(ClipTouch&& touch, AllowedPatches& allowed) {
     for (const std::uint16_t p : touched.a)
       for (const std::uint16_t q : touched.b) {
         allowed.allow(p, q, AllowedPatches::kClip);
-        allowed.touched.push_back(static_cast<std::uint32_t>(p) *
-                                      static_cast<std::uint32_t>(allowed.patches_b) +
-                                  q);
+        allowed.touched.push_back(
+            static_cast<std::uint32_t>(p) * static_cast<std::uint32_t>(allowed.patches_b) + q);
       }
   allowed.clip_depth = std::move(touch.depth);
   allowed.clip_depths = std::move(touch.depths);

@@ -147,7 +147,6 @@ struct ContactGroup {
 enum class Skip { none, lasting, all };  // AllowedPatches::Reasons
 enum class Depth { measured, of_the_clips, left_out };
 std::vector<ContactGroup> contact_groups(SceneCollision::Data& data, const TestPair& pair,
-                                         double distance, Skip skip,
-                                         Depth depth = Depth::measured);
+                                         double distance, Skip skip, Depth depth = Depth::measured);
 
 }  // namespace elbowroom

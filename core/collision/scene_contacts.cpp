@@ -88,8 +88,8 @@ void excuse_by_source(Data& data, const TestPair& pair, double distance,
   // What is near in the clip serves too, as in the scan, where the parts are in contact at all.
   const auto touching = contact_groups(data, pair, data.touching(), Skip::none, Depth::left_out);
   const auto near =
-      contact_groups(data, pair, std::max(distance, data.settings.clearance * data.height), Skip::none,
-                     Depth::left_out);
+      contact_groups(data, pair, std::max(distance, data.settings.clearance * data.height),
+                     Skip::none, Depth::left_out);
   std::map<std::pair<int, int>, double> depth_in_clip;  // by parts
   std::vector<ContactGroup*> candidates;
   for (ContactGroup& group : groups) {
@@ -227,8 +227,7 @@ std::vector<ContactGroup> contact_groups(Data& data, const TestPair& pair, doubl
   if (!a.box().within(b.box(), distance)) return groups;
   const RigidTransform a_from_b = data.a_from_b(pair);
   std::vector<TriangleContact> contacts;
-  find_contacts(a.mesh(), b.mesh(), a_from_b, distance,
-                filter_of(pair, a, b, skip), contacts);
+  find_contacts(a.mesh(), b.mesh(), a_from_b, distance, filter_of(pair, a, b, skip), contacts);
   const bool same_body = data.roles[static_cast<std::size_t>(pair.a)].own &&
                          data.roles[static_cast<std::size_t>(pair.b)].own;
   std::map<std::tuple<int, int, std::uint8_t>, std::size_t> number;
@@ -302,8 +301,7 @@ bool Data::pair_in_contact(TestPair& pair, double distance) {
 
 void Data::pair_contacts(TestPair& pair, int only_limb, bool list_allowed,
                          std::vector<ContactSample>& out) {
-  auto groups = contact_groups(*this, pair, touching(),
-                               list_allowed ? Skip::none : Skip::lasting);
+  auto groups = contact_groups(*this, pair, touching(), list_allowed ? Skip::none : Skip::lasting);
   const Vec3 query_origin = origin;
   excuse_by_clip(*this, pair, touching(), groups);
   const int limb_a = pair.limb_a, limb_b = pair.limb_b;

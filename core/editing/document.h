@@ -99,8 +99,8 @@ struct Draft {
   bool operator==(const Draft&) const = default;
 };
 
-// How far a limb's joints may swing, as the animator says, by the limb's name: polygons of its root,
-// middle and end. Empty: as far as the joint's own limit. A limb without any has no entry.
+// How far a limb's joints may swing, as the animator says, by the limb's name: polygons of its
+// root, middle and end. Empty: as far as the joint's own limit. A limb without any has no entry.
 using SwingLimits = std::map<std::string, std::array<SwingPolygon, 3>>;
 
 struct Document {

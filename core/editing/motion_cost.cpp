@@ -59,11 +59,14 @@ MotionCost motion_cost(const WindowProblem& p, const WindowMotion& motion) {
 }
 
 double path_cost(const WindowProblem& p, const WindowPaths& paths) {
-  return from_reference(p, [&](double t) {
-           std::size_t part = 0;
-           while (part + 1 < paths.parts.size() && t > paths.parts[part].back().t) ++part;
-           return path_at(paths.parts[part], t).q;
-         }).total();
+  return from_reference(p,
+                        [&](double t) {
+                          std::size_t part = 0;
+                          while (part + 1 < paths.parts.size() && t > paths.parts[part].back().t)
+                            ++part;
+                          return path_at(paths.parts[part], t).q;
+                        })
+      .total();
 }
 
 double nearness_cost(double clearance, double wanted) {

@@ -2,7 +2,8 @@
 // What a motion costs: how motions that all are free are ranked. Lower is better.
 //
 //   deviation     ∫ Σ (q - r)² / T      rad², from what the animator wants: the clip, moved
-//                                       into the sampling intervals set (WindowProblem::reference_at)
+//                                       into the sampling intervals set
+//                                       (WindowProblem::reference_at)
 //   effort        ∫ Σ (q' - r')² / T    times kEffortTime², likewise rad²
 //   acceleration  ∫ Σ q''² / T          times kAccelerationTime⁴: gentle turns cost little
 //   hurry         how much the peak acceleration is above what is natural for the DOF

@@ -164,9 +164,10 @@ class WindowPlanner {
     for (const Planned& next : waiting) {
       if (is_good() || stop_.stop_requested()) break;
       // Where several are asked for, curves tell better than paths which are apart.
-      const bool known = asked_ == 1 && std::any_of(ways.begin(), ways.end(), [&](const Way& way) {
-        return way.path_cost <= next.cost && same_way_around(world, p_, way.motion, next.paths);
-      });
+      const bool known =
+          asked_ == 1 && std::any_of(ways.begin(), ways.end(), [&](const Way& way) {
+            return way.path_cost <= next.cost && same_way_around(world, p_, way.motion, next.paths);
+          });
       if (!known) fit_way(world, next, ways);
     }
     report_.blocked_by = world.blocked_by();

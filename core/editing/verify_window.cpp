@@ -125,7 +125,7 @@ std::string look_closely(WindowProblem& p, double gave_up, const std::stop_token
 
 // What a proof came to, if it gave up.
 struct Unproven {
-  double gave_up = 0;          // seconds
+  double gave_up = 0;             // seconds
   bool beside_the_clips = false;  // only what is near beside contacts of the clip stood in its way
 };
 

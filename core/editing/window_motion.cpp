@@ -209,16 +209,14 @@ MotionResult fit_motion(const WindowProblem& p, PlanningWorld& world, const Wind
 
 bool same_way_around(PlanningWorld& world, const WindowProblem& p, const WindowMotion& a,
                      const WindowMotion& b) {
-  return blends_free(world, p, a, [&](std::size_t part, double t) {
-    return b.curves[part].value(t);
-  });
+  return blends_free(world, p, a,
+                     [&](std::size_t part, double t) { return b.curves[part].value(t); });
 }
 
 bool same_way_around(PlanningWorld& world, const WindowProblem& p, const WindowMotion& a,
                      const WindowPaths& b) {
-  return blends_free(world, p, a, [&](std::size_t part, double t) {
-    return path_at(b.parts[part], t).q;
-  });
+  return blends_free(world, p, a,
+                     [&](std::size_t part, double t) { return path_at(b.parts[part], t).q; });
 }
 
 }  // namespace elbowroom

@@ -72,7 +72,7 @@ struct WindowPaths {
 // What a motion came to and what it cost.
 struct MotionResult {
   WindowMotion motion;  // empty if there is none
-  std::string reason;  // one sentence, where there is none
+  std::string reason;   // one sentence, where there is none
   int landmarks = 0;
   // Names of DOFs whose limit, or speed limit, the state at a posture forced the curve beyond.
   std::vector<std::string> limits_widened;

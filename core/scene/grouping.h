@@ -16,8 +16,8 @@ namespace elbowroom {
 void group_characters_and_objects(Model& model);
 
 // Bind-pose extent along a unit vector of the file's space: of the triangles, skinned and rigid; of
-// a clip without a figure, of its joints. Lengths need a unit that isn't zero, so what is flat along
-// it is measured by its diagonal, and what has no extent by 1. O(vertices).
+// a clip without a figure, of its joints. Lengths need a unit that isn't zero, so what is flat
+// along it is measured by its diagonal, and what has no extent by 1. O(vertices).
 double bind_extent(const Model& model, const Character& character, const Vec3& along);
 
 }  // namespace elbowroom

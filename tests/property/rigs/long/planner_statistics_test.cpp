@@ -24,7 +24,7 @@ namespace elbowroom::test {
 namespace {
 
 constexpr int kSeeds = 100;
-constexpr int kSpread = 5;         // of 100, between two runs of the same problem
+constexpr int kSpread = 5;  // of 100, between two runs of the same problem
 constexpr double kCostShare = 0.05;
 
 struct Statistics {
@@ -115,8 +115,7 @@ TEST_P(PlannerStatistics, DontDependOnSizeOrPlacement) {
   ASSERT_TRUE(plain.collision);
   std::vector<ContactInterval> contacts;
   look_at_contacts(*plain.collision, {plain.limb}, contacts, nullptr);
-  const double clearance =
-      plain.collision->settings().clearance * plain.collision->height();
+  const double clearance = plain.collision->settings().clearance * plain.collision->height();
   const auto windows = propose_windows(*plain.collision, plain.limb, contacts, clearance);
   ASSERT_FALSE(windows.empty());
   ASSERT_TRUE(windows.front().blocked.empty());
@@ -136,8 +135,8 @@ TEST_P(PlannerStatistics, DontDependOnSizeOrPlacement) {
   };
   std::vector<Guise> guises;
   for (const double factor : {0.01, 100.0})
-    guises.push_back({factor < 1 ? "x0.01" : "x100", scaled(**figure, factor),
-                      scaled(**post, factor)});
+    guises.push_back(
+        {factor < 1 ? "x0.01" : "x100", scaled(**figure, factor), scaled(**post, factor)});
   const auto place = [&](const char* name, const Transform& placement) {
     guises.push_back({name, placed(**figure, placement), placed(**post, placement)});
   };
