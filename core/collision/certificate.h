@@ -17,10 +17,10 @@
 // What it says and what it does not:
 //  * Allowed contacts are allowed: pairs of patches that may touch (about a shared joint, in the
 //    bind pose, those that the clip itself has in contact, about that time) are not looked at; that
-//    no others touch, nor these at other times, is proven. Those that may for the clip's sake may only be as deep as the clip has
-//    them; between samples that depth is NOT proven. Parts of the limb that come near such patches
-//    are listed in `depth_sampled`; the depth is known at the times of the verification, 240 Hz and
-//    all keys.
+//    no others touch, nor these at other times, is proven. Those that may for the clip's sake may
+//    only be as deep as the clip has them; between samples that depth is NOT proven. Parts of the
+//    limb that come near such patches are listed in `depth_sampled`; the depth is known at the
+//    times of the verification, 240 Hz and all keys.
 //  * A contact that is excused only because the clip has it at that very moment, outside the
 //  patches
 //    gathered from it, is not certified.
