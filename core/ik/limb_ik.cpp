@@ -289,28 +289,35 @@ double LimbIk::bend_to(double distance, int sense, double near, Bend& bend) cons
   return beyond(glm::length(end_in_root(bend)));
 }
 
-// Where scales are not uniform the sum above has second harmonics; h(θ) = |end|² - distance².
+// Where scales are not uniform the sum above has second harmonics; h(θ) = |end|² - distance². Where
+// h has no root nearby, what is nearest to one is an extremum of h: found by the same steps on h'.
 void LimbIk::bend_by_newton(double distance, Bend& bend) const {
+  constexpr int kMostSteps = 60, kRootsFirst = 5;
   const Vec3 bone = bone_of(bend);
   const Vec3 along = bend.axis * glm::dot(bend.axis, bone);
   const Vec3 fixed = middle_offset_ + root_from_zero_ * along;
   const Vec3 cosine_part = root_from_zero_ * (bone - along);
   const Vec3 sine_part = root_from_zero_ * glm::cross(bend.axis, bone);
   double best = bend.angle, least = std::numeric_limits<double>::infinity(), angle = bend.angle;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < kMostSteps; ++i) {
     const double cosine = std::cos(angle), sine = std::sin(angle);
-    const Vec3 end = fixed + cosine * cosine_part + sine * sine_part;
+    const Vec3 turned = cosine * cosine_part + sine * sine_part;
+    const Vec3 end = fixed + turned;
+    const Vec3 slope_of_end = cosine * sine_part - sine * cosine_part;
     const double h = glm::dot(end, end) - distance * distance;
-    const double slope = 2 * glm::dot(end, cosine * sine_part - sine * cosine_part);
+    const double slope = 2 * glm::dot(end, slope_of_end);
     const double before = least;
     if (std::abs(h) < least) {
       least = std::abs(h);
       best = angle;
     }
     if (least < 1e-15 * distance * distance || slope == 0) break;
-    const double step = std::clamp(h / slope, -0.3, 0.3);
+    const double bow = 2 * (glm::dot(slope_of_end, slope_of_end) - glm::dot(end, turned));
+    const bool rootless = i >= kRootsFirst && h * bow > 0 && slope * slope < 2 * h * bow;
+    const double step = std::clamp(rootless ? slope / bow : h / slope, -0.3, 0.3);
     // Rounding is all that is left where a whole step no longer helps.
-    if (std::abs(h) >= 0.9 * before && std::abs(step) < 1e-6) break;
+    if (rootless ? std::abs(step) < 1e-9 : std::abs(h) >= 0.9 * before && std::abs(step) < 1e-6)
+      break;
     angle -= step;
   }
   bend.angle = best;
