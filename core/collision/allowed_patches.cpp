@@ -101,6 +101,15 @@ void AllowedPatches::allow(int patch_a, int patch_b, std::uint8_t reason) {
   regions_ = {};
 }
 
+void AllowedPatches::allow_touched(const CollisionBody& a, const CollisionBody& b,
+                                   const std::vector<ClipTouching::Parts>& touched) {
+  touching = ClipTouching(a, b, always, touched);
+  for (const ClipTouching::Pieces& parts : touching.parts())
+    for (const std::uint16_t p : parts.a)
+      for (const std::uint16_t q : parts.b) allow(p % patches_a, q % patches_b, kClip);
+  regions_ = {};
+}
+
 double AllowedPatches::depth_about(int part_a, int part_b, double t, double memory) const {
   const auto known = clip_depths.find({part_a, part_b});
   if (known == clip_depths.end()) return -1;
@@ -127,8 +136,10 @@ bool AllowedPatches::empty() const {
 
 PatchFilter AllowedPatches::filter(const CollisionBody& a, const CollisionBody& b,
                                    Reasons which) const {
-  PatchFilter filter = patch_filter(a, b, which == Reasons::all ? any : always);
-  const std::size_t i = which == Reasons::all ? 1 : 0;
+  PatchFilter filter = which == Reasons::touched && !touching.empty()
+                           ? touching.filter()
+                           : patch_filter(a, b, which == Reasons::all ? any : always);
+  const auto i = static_cast<std::size_t>(which);
   if (!regions_.known[i]) regions_.of[i] = patch_regions(a.mesh(), b.mesh(), filter);
   regions_.known[i] = true;
   filter.regions = regions_.of[i].get();

@@ -10,8 +10,8 @@
 //  * bind_pose: the patches touch in the bind pose.
 //  * clip: the two parts are in contact in the source clip, and these patches are then within
 //    CollisionSettings::touch_reach; allowed about the times at which the clip has the parts in
-//    contact, to the depth it has then. `touched` are those that were themselves in contact with
-//    something of the other part: what a proof may leave out.
+//    contact, to the depth it has then. `touching` is what the clip itself has in contact: what
+//    final verdicts and proofs go by, while planning has room to slide.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/collision/clip_touching.h"
 #include "core/collision/collision_body.h"
 #include "core/collision/patch_regions.h"
 #include "core/collision/surface_patches.h"
@@ -28,7 +29,8 @@ namespace elbowroom {
 
 struct AllowedPatches {
   static constexpr std::uint8_t kShared = 1, kBind = 2, kClip = 4;
-  enum class Reasons { lasting, all };  // kShared and kBind; or kClip too
+  // kShared and kBind; or kClip too where the clip itself touches; or all of kClip.
+  enum class Reasons { lasting, touched, all };
 
   int patches_a = 0, patches_b = 0;
   std::vector<std::uint8_t> reasons;                 // a bit set for each pair: p · patches_b + q
@@ -41,7 +43,7 @@ struct AllowedPatches {
   };
   std::map<std::pair<int, int>, std::vector<DepthAt>> clip_depths;  // times ascend
   std::vector<std::uint32_t> clip_pairs;  // of patches, for the clip's sake; places in `reasons`
-  std::vector<std::uint32_t> touched;     // of these
+  ClipTouching touching;                  // what of these the clip has in contact itself
 
   // The deepest the clip has two parts within `memory` seconds of t; negative if it does not.
   double depth_about(int part_a, int part_b, double t, double memory) const;
@@ -52,21 +54,24 @@ struct AllowedPatches {
   AllowedPatches() = default;
   AllowedPatches(int count_a, int count_b);
   void allow(int patch_a, int patch_b, std::uint8_t reason);
+  // For the clip's sake: these triangles' patches, and `touching`. After all that lasts.
+  void allow_touched(const CollisionBody& a, const CollisionBody& b,
+                     const std::vector<ClipTouching::Parts>& touched);
   std::uint8_t reasons_of(int patch_a, int patch_b) const {
     return reasons[static_cast<std::size_t>(patch_a) * static_cast<std::size_t>(patches_b) +
                    static_cast<std::size_t>(patch_b)];
   }
   bool empty() const;
 
-  // A filter over the triangles of the two bodies these are for: `always`, or `any`. Keeps
-  // references to this and to the bodies, until allow() is called.
+  // A filter over the triangles of the two bodies these are for: `always`, `touching`'s or `any`.
+  // Keeps references to this and to the bodies, until allow() or allow_touched() is called.
   PatchFilter filter(const CollisionBody& a, const CollisionBody& b, Reasons which) const;
 
  private:
-  // Of `always` and of `any`, when first asked for.
+  // By Reasons, when first asked for.
   struct Regions {
-    std::shared_ptr<const PatchRegions> of[2];
-    bool known[2] = {false, false};
+    std::shared_ptr<const PatchRegions> of[3];
+    bool known[3] = {false, false, false};
   };
   mutable Regions regions_;
 };

@@ -50,6 +50,21 @@ NodeReference reference_of(const Data& data, const TestPair& pair, int limb) {
                                           : chain.end);
 }
 
+// Pairs of patches that may always touch, and those that may for the clip's sake of the parts of
+// which `holds` says so.
+template <typename Holds>
+std::vector<bool> allowed_near(const AllowedPatches& patches, const CollisionBody& a,
+                               const CollisionBody& b, const Holds& holds) {
+  const auto part = [](const CollisionBody& body, std::uint32_t patch) {
+    return body.triangles()[body.triangles_of_patch(static_cast<int>(patch)).front()].part;
+  };
+  std::vector<bool> allowed = patches.always;
+  const auto columns = static_cast<std::uint32_t>(patches.patches_b);
+  for (const std::uint32_t at : patches.clip_pairs)
+    if (holds(part(a, at / columns), part(b, at % columns))) allowed[at] = true;
+  return allowed;
+}
+
 struct Proof {
   SceneCollision& scene;
   Data& data;
@@ -130,18 +145,14 @@ struct Proof {
       return true;
     if (!pair.allowed || pair.allowed->clip_depth.empty()) return false;
     // What the clip touches at these very times may touch, and how deep is known at samples only.
-    std::vector<bool> allowed = pair.allowed->always;
-    const auto columns = static_cast<std::uint32_t>(pair.allowed->patches_b);
-    for (const std::uint32_t at :
-         settings.near_the_clips ? pair.allowed->clip_pairs : pair.allowed->touched) {
-      const auto part = [](const CollisionBody& body, std::uint32_t patch) {
-        return body.triangles()[body.triangles_of_patch(static_cast<int>(patch)).front()].part;
-      };
-      if (pair.allowed->clip_touches(part(a, at / columns), part(b, at % columns), begin, end,
-                                     data.clip_memory))
-        allowed[at] = true;
-    }
-    PatchFilter filter = patch_filter(a, b, allowed);
+    const auto touches = [&](int part_a, int part_b) {
+      return pair.allowed->clip_touches(part_a, part_b, begin, end, data.clip_memory);
+    };
+    const std::vector<bool> allowed = settings.near_the_clips
+                                          ? allowed_near(*pair.allowed, a, b, touches)
+                                          : pair.allowed->touching.allowed_where(touches);
+    PatchFilter filter = settings.near_the_clips ? patch_filter(a, b, allowed)
+                                                 : pair.allowed->touching.filter(allowed);
     ClipRegions& known = clip_regions[{pair.a, pair.b}];
     if (known.allowed != allowed) {
       known.regions = patch_regions(a.mesh(), b.mesh(), filter);

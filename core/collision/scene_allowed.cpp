@@ -92,10 +92,7 @@ struct ClipTouch {
   std::map<std::pair<int, int>, double> depth;  // by parts: the deepest
   std::map<std::pair<int, int>, std::vector<AllowedPatches::DepthAt>> depths;
   std::set<std::pair<std::uint16_t, std::uint16_t>> patches;
-  struct Touched {
-    std::set<std::uint16_t> a, b;
-  };
-  std::map<std::pair<int, int>, Touched> touched;  // by parts: what was itself in contact
+  std::map<std::pair<int, int>, ClipTouching::Parts> touched;  // by parts
   bool looked = false;
   std::map<std::pair<int, int>, double> last;  // how deep they were at the last look
 };
@@ -111,9 +108,11 @@ void look_at_clip(Data& data, TestPair& pair, ClipTouch& touch) {
   if (touching.empty() && before.empty()) return;
   std::map<std::pair<int, int>, double>& parts = touch.last;
   for (const ContactGroup& group : touching) {
-    ClipTouch::Touched& touched = touch.touched[{group.part_a, group.part_b}];
-    touched.a.insert(group.patches_a.begin(), group.patches_a.end());
-    touched.b.insert(group.patches_b.begin(), group.patches_b.end());
+    ClipTouching::Parts& touched = touch.touched[{group.part_a, group.part_b}];
+    touched.part_a = group.part_a;
+    touched.part_b = group.part_b;
+    touched.a.insert(group.triangles_a.begin(), group.triangles_a.end());
+    touched.b.insert(group.triangles_b.begin(), group.triangles_b.end());
     double& now = parts[{group.part_a, group.part_b}];
     now = std::max(now, group.depth);
   }
@@ -141,16 +140,13 @@ void look_at_clip(Data& data, TestPair& pair, ClipTouch& touch) {
       touch.patches.insert(group.patch_pairs.begin(), group.patch_pairs.end());
 }
 
-void allow_from_clip(ClipTouch&& touch, AllowedPatches& allowed) {
+void allow_from_clip(ClipTouch&& touch, const CollisionBody& a, const CollisionBody& b,
+                     AllowedPatches& allowed) {
   for (const auto& [p, q] : touch.patches) allowed.allow(p, q, AllowedPatches::kClip);
   // An arm that rests on a hip rests on all of what it touches there.
-  for (const auto& [parts, touched] : touch.touched)
-    for (const std::uint16_t p : touched.a)
-      for (const std::uint16_t q : touched.b) {
-        allowed.allow(p, q, AllowedPatches::kClip);
-        allowed.touched.push_back(
-            static_cast<std::uint32_t>(p) * static_cast<std::uint32_t>(allowed.patches_b) + q);
-      }
+  std::vector<ClipTouching::Parts> touched;
+  for (auto& [parts, triangles] : touch.touched) touched.push_back(std::move(triangles));
+  allowed.allow_touched(a, b, touched);
   allowed.clip_depth = std::move(touch.depth);
   allowed.clip_depths = std::move(touch.depths);
 }
@@ -238,7 +234,8 @@ bool find_allowed_contacts(Data& data, const std::stop_token& stop) {
       if (pair.clip_may_allow) look_at_clip(data, pair, touches[{pair.a, pair.b}]);
   }
   for (auto& [bodies, touch] : touches)
-    allow_from_clip(std::move(touch), data.allowed_pairs.at(bodies));
+    allow_from_clip(std::move(touch), data.placed(bodies.first), data.placed(bodies.second),
+                    data.allowed_pairs.at(bodies));
   data.posed = false;
   list_entries(data);
   return true;

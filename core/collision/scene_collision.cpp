@@ -104,6 +104,10 @@ double SceneCollision::height() const { return data_->height; }
 const CollisionSettings& SceneCollision::settings() const { return data_->settings; }
 const AllowedContacts& SceneCollision::allowed_contacts() const { return data_->allowed; }
 
+void SceneCollision::allow_beside_clip_contacts(bool allowed) {
+  data_->beside_clip_contacts = allowed;
+}
+
 void SceneCollision::set_clip(std::shared_ptr<const Clip> clip) {
   data_->world.actors[static_cast<std::size_t>(data_->actor)].clip = std::move(clip);
   for (auto& limb : data_->posed_limbs) limb.reset();

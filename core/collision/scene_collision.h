@@ -81,6 +81,11 @@ class SceneCollision {
   // it was built from the source clip. Limbs that were posed follow the clip again.
   void set_clip(std::shared_ptr<const Clip> clip);
 
+  // Whether patches that come near each other where the clip has their parts in contact are allowed
+  // (CollisionSettings::touch_reach); else only those that the clip itself has in contact. True
+  // when built: what is planned needs room to slide. Final verdicts say false.
+  void allow_beside_clip_contacts(bool allowed);
+
   // That limb's joints take this state at every time instead of the clip's, until called with null
   // or another clip is set: for planning on the deformed skin.
   void pose_limb(int limb, const LimbState* state);

@@ -54,6 +54,7 @@ struct SceneCollision::Data {
   // What the clip touches it may touch a little earlier or later too, seconds: a limb that is
   // replanned passes the same place in its own time.
   double clip_memory = 0.15;
+  bool beside_clip_contacts = true;  // allow_beside_clip_contacts()
 
   std::vector<std::string> parts;  // names by part number
   std::vector<CollisionBody> bodies;
@@ -138,13 +139,14 @@ struct ContactGroup {
   bool contained = false;
   std::vector<std::uint16_t> patches_a, patches_b;                   // ascending, unique
   std::vector<std::pair<std::uint16_t, std::uint16_t>> patch_pairs;  // ascending, unique
+  std::vector<std::uint32_t> triangles_a, triangles_b;               // of the bodies; as found
   double depth = 0;                                                  // negative: not measured
 };
 // With the bodies as they are posed. `skip`: allowed pairs of patches to pass over. With depth
 // measured, for groups that are not allowed or allowed by the clip, those deeper than the clip has
 // them lose their reason; of_the_clips, only those are measured and the others' depth is -1;
 // without, patches alone decide.
-enum class Skip { none, lasting, all };  // AllowedPatches::Reasons
+enum class Skip { none, lasting, touched, all };  // AllowedPatches::Reasons
 enum class Depth { measured, of_the_clips, left_out };
 std::vector<ContactGroup> contact_groups(SceneCollision::Data& data, const TestPair& pair,
                                          double distance, Skip skip, Depth depth = Depth::measured);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -64,7 +65,22 @@ PatchFilter filter_of(const TestPair& pair, const CollisionBody& a, const Collis
                       Skip skip) {
   using Reasons = AllowedPatches::Reasons;
   if (!pair.allowed || skip == Skip::none) return {};
-  return pair.allowed->filter(a, b, skip == Skip::all ? Reasons::all : Reasons::lasting);
+  return pair.allowed->filter(a, b,
+                              skip == Skip::all       ? Reasons::all
+                              : skip == Skip::touched ? Reasons::touched
+                                                      : Reasons::lasting);
+}
+
+// All that may be passed over.
+Skip all_allowed(const Data& data) { return data.beside_clip_contacts ? Skip::all : Skip::touched; }
+
+// Why two triangles may touch, one bit; 0: they may not.
+std::uint8_t reason_of(const Data& data, const TestPair& pair, std::uint8_t reasons,
+                       const TriangleContact& contact) {
+  const std::uint8_t reason = strongest(reasons);
+  if (reason != AllowedPatches::kClip || data.beside_clip_contacts) return reason;
+  const ClipTouching& touching = pair.allowed->touching;
+  return !touching.empty() && touching.allows(contact.triangle_a, contact.triangle_b) ? reason : 0;
 }
 
 double depth_of(Data& data, const TestPair& pair, const ContactGroup& group) {
@@ -73,11 +89,37 @@ double depth_of(Data& data, const TestPair& pair, const ContactGroup& group) {
                          : contact_depth(a, group.patches_a, b, group.patches_b);
 }
 
+// Whether groups of the same parts have all its pairs of patches.
+bool patches_within(const ContactGroup& group, const std::vector<ContactGroup>& all) {
+  std::vector<std::pair<std::uint16_t, std::uint16_t>> patches;
+  for (const ContactGroup& g : all)
+    if (same_parts(group, g))
+      patches.insert(patches.end(), g.patch_pairs.begin(), g.patch_pairs.end());
+  sort_unique(patches);
+  return std::includes(patches.begin(), patches.end(), group.patch_pairs.begin(),
+                       group.patch_pairs.end());
+}
+
+// Whether groups of the same parts have all its triangles.
+bool triangles_within(const ContactGroup& group, const std::vector<ContactGroup>& all) {
+  std::set<std::uint32_t> of_a, of_b;
+  for (const ContactGroup& g : all) {
+    if (!same_parts(group, g)) continue;
+    of_a.insert(g.triangles_a.begin(), g.triangles_a.end());
+    of_b.insert(g.triangles_b.begin(), g.triangles_b.end());
+  }
+  const auto known = [](const std::set<std::uint32_t>& set) {
+    return [&set](std::uint32_t t) { return set.contains(t); };
+  };
+  return std::all_of(group.triangles_a.begin(), group.triangles_a.end(), known(of_a)) &&
+         std::all_of(group.triangles_b.begin(), group.triangles_b.end(), known(of_b));
+}
+
 // Contacts that the clip has at this very time are allowed by definition, whether or not the scan
 // that gathered patches looked at this time: those of `groups` are marked as the clip's where it
-// has the same patches in contact, as deep. What is no contact but nearer than `distance` is so
-// where the clip has the two parts as near. Depths are costly and measured last, where all else
-// speaks for the contact. May leave the source clip posed.
+// has the same patches (or triangles, beside_clip_contacts) in contact, as deep. What is no contact
+// but nearer than `distance` is so where the clip has the two parts as near. Depths are costly and
+// measured last, where all else speaks for the contact. May leave the source clip posed.
 void excuse_by_source(Data& data, const TestPair& pair, double distance,
                       std::vector<ContactGroup>& groups) {
   std::vector<ContactGroup> touching_now;
@@ -101,12 +143,8 @@ void excuse_by_source(Data& data, const TestPair& pair, double distance,
       continue;
     }
     if (std::none_of(touching.begin(), touching.end(), same)) continue;
-    std::vector<std::pair<std::uint16_t, std::uint16_t>> patches;
-    for (const ContactGroup& g : near)
-      if (same(g)) patches.insert(patches.end(), g.patch_pairs.begin(), g.patch_pairs.end());
-    sort_unique(patches);
-    if (!std::includes(patches.begin(), patches.end(), group.patch_pairs.begin(),
-                       group.patch_pairs.end()))
+    if (!(data.beside_clip_contacts ? patches_within(group, near)
+                                    : triangles_within(group, touching)))
       continue;
     double& depth = depth_in_clip.try_emplace({group.part_a, group.part_b}, 0.0).first->second;
     for (const ContactGroup& g : touching)
@@ -241,7 +279,8 @@ std::vector<ContactGroup> contact_groups(Data& data, const TestPair& pair, doubl
       continue;
     const int part_a = a.triangles()[contact.triangle_a].part;
     const int part_b = b.triangles()[contact.triangle_b].part;
-    const std::uint8_t reason = pair.allowed ? strongest(pair.allowed->reasons_of(p, q)) : 0;
+    const std::uint8_t reason =
+        pair.allowed ? reason_of(data, pair, pair.allowed->reasons_of(p, q), contact) : 0;
     const auto [at, fresh] = number.try_emplace({part_a, part_b, reason}, groups.size());
     if (fresh) {
       groups.emplace_back();
@@ -255,6 +294,8 @@ std::vector<ContactGroup> contact_groups(Data& data, const TestPair& pair, doubl
     group.patches_a.push_back(p);
     group.patches_b.push_back(q);
     group.patch_pairs.emplace_back(p, q);
+    group.triangles_a.push_back(contact.triangle_a);
+    group.triangles_b.push_back(contact.triangle_b);
   }
   for (ContactGroup& group : groups) {
     sort_unique(group.patches_a);
@@ -291,8 +332,8 @@ bool Data::pair_in_contact(TestPair& pair, double distance) {
   };
   // Pieces of one body: parity is looked at with the groups, where it is known which are closed.
   if (elbowroom::in_contact(a.mesh(), b.mesh(), relative, distance,
-                            filter_of(pair, a, b, Skip::all), &pair.cache)) {
-    if (wrong_at(distance, Skip::all)) return true;
+                            filter_of(pair, a, b, all_allowed(*this)), &pair.cache)) {
+    if (wrong_at(distance, all_allowed(*this))) return true;
   }
   // The clip's patches: in contact, and then deeper than the clip?
   if (pair.allowed->clip_depth.empty()) return false;
@@ -339,7 +380,7 @@ double Data::pair_clearance(TestPair& pair, double at_most) {
   // Asking may have posed the source clip and come back.
   const CollisionBody &a_now = placed(pair.a), &b_now = placed(pair.b);
   return surface_distance(a_now.mesh(), b_now.mesh(), a_from_b(pair), at_most,
-                          filter_of(pair, a_now, b_now, Skip::all));
+                          filter_of(pair, a_now, b_now, all_allowed(*this)));
 }
 
 }  // namespace elbowroom

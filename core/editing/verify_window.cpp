@@ -139,7 +139,9 @@ Unproven certify(WindowProblem& p, const std::stop_token& stop, const ProgressSi
   if (!certificate.holds) {
     CertificateSettings looser;
     looser.near_the_clips = true;
+    p.scene->allow_beside_clip_contacts(true);
     const Certificate wide = certify_limb(*p.scene, p.limb_index, p.begin, p.end, looser, stop);
+    p.scene->allow_beside_clip_contacts(false);
     unproven.beside_the_clips = wide.holds;
     if (!wide.holds) unproven.gave_up = wide.time;
   }
@@ -182,6 +184,7 @@ std::string verify_keys(WindowProblem& p, const KeyedMotion& keyed, std::uint64_
                         WindowReport& report) {
   const auto start = Clock::now();
   p.scene->set_clip(keyed.clip);
+  p.scene->allow_beside_clip_contacts(false);
   report.min_clearance = kClearanceReach * p.scene->height();
   std::string hit = glance(p, stop);
   report.verify_ms += ms_since(start);
@@ -197,6 +200,7 @@ std::string verify_keys(WindowProblem& p, const KeyedMotion& keyed, std::uint64_
     report.verify_ms += ms_since(looking);
   }
   p.scene->set_clip(p.clip);
+  p.scene->allow_beside_clip_contacts(true);
   return stop.stop_requested() ? "cancelled" : hit;
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/collision/allowed_patches.h"
 #include "core/collision/body_parts.h"
+#include "core/collision/scene_collision_data.h"
 #include "core/collision/surface_patches.h"
 #include "tests/unit/scene_collision/figure.h"
 
@@ -171,6 +172,58 @@ TEST(AllowedContacts, AnotherPartOfTheThighIsNotAllowed) {
   EXPECT_FALSE(b.scene.limb_in_contact(1, 0, kEpsilon));
   b.scene.pose_limb(0, nullptr);
   EXPECT_FALSE(b.scene.limb_in_contact(1, 0, kEpsilon));
+}
+
+TEST(AllowedContacts, FinalVerdictsAreNeverLaxerThanPlanning) {
+  Brushing b;
+  LimbState state;
+  state.q.count = 7;
+  for (int i = 0; i <= 80; ++i) {
+    const double forward = 0.01 * (i % 2 ? -i : i) / 2;
+    state.q[0] = forward;
+    state.q[1] = -kPi / 2 + (i == 0 ? 0 : 0.004);
+    b.scene.pose_limb(0, &state);
+    b.scene.allow_beside_clip_contacts(true);
+    const bool while_planning = b.scene.limb_in_contact(1, 0, kEpsilon);
+    b.scene.allow_beside_clip_contacts(false);
+    const bool at_last = b.scene.limb_in_contact(1, 0, kEpsilon);
+    EXPECT_TRUE(at_last || !while_planning) << forward << ": never laxer";
+    if (forward == 0) {
+      EXPECT_FALSE(at_last) << "as the clip has it";
+    }
+    std::vector<ContactSample> contacts;
+    b.scene.contacts_at(1, 0, false, contacts);
+    EXPECT_EQ(contacts.empty(), !at_last) << forward << ": what is listed is what is said";
+  }
+}
+
+TEST(AllowedContacts, TrianglesOfOnePatchAreToldApart) {
+  Brushing b;
+  int tested = 0;
+  for (const auto& [bodies, allowed] : b.scene.data().allowed_pairs) {
+    const ClipTouching& touching = allowed.touching;
+    if (touching.empty()) continue;
+    const auto& a = b.scene.data().bodies[static_cast<std::size_t>(bodies.first)];
+    const auto& other = b.scene.data().bodies[static_cast<std::size_t>(bodies.second)];
+    const auto none = touching.allowed_where([](int, int) { return false; });
+    const auto all = touching.allowed_where([](int, int) { return true; });
+    int apart = 0;
+    for (std::uint32_t t = 0; t < a.triangles().size(); ++t)
+      for (std::uint32_t u = 0; u < other.triangles().size(); ++u) {
+        const std::uint8_t reasons = allowed.reasons_of(a.patch_of()[t], other.patch_of()[u]);
+        const bool lasting = reasons & (AllowedPatches::kShared | AllowedPatches::kBind);
+        EXPECT_EQ(touching.filter(none).allows(t, u), lasting);
+        EXPECT_EQ(touching.filter(all).allows(t, u), touching.allows(t, u));
+        if (touching.allows(t, u)) {
+          EXPECT_NE(reasons, 0) << "planning may do what the verdict allows";
+        } else {
+          apart += (reasons & AllowedPatches::kClip) != 0;
+        }
+      }
+    EXPECT_GT(apart, 0);
+    ++tested;
+  }
+  EXPECT_GT(tested, 0);
 }
 
 TEST(AllowedContacts, WhereTheClipIsNearTheLimbMayBeAsNear) {
