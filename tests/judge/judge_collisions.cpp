@@ -18,6 +18,10 @@ namespace {
 using glm::dmat4;
 using glm::dvec3;
 
+// Hz. Fast hands sweep past triangles between coarser looks, which are contacts of the clip no
+// less.
+constexpr double kSourceRate = 240;
+
 Corners corners(const glm::uvec3& t, const std::vector<dvec3>& points) {
   return {points[t[0]], points[t[1]], points[t[2]]};
 }
@@ -138,7 +142,7 @@ class Neighbours {
     learn(tree, rest);
     if (query.source_animation.empty()) return;
     const KeyAnimation& source = figure.file().animation(query.source_animation);
-    const int steps = static_cast<int>(std::ceil((source.end - source.begin) * 60));
+    const int steps = static_cast<int>(std::ceil((source.end - source.begin) * kSourceRate));
     std::vector<dvec3> points;
     for (int i = 0; i <= steps; ++i) {
       figure.points_at(&source, source.begin + (source.end - source.begin) * i / std::max(steps, 1),
