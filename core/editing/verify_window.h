@@ -27,11 +27,13 @@ Result<KeyedMotion> key_motion(const WindowProblem& problem, const WindowMotion&
 // contact ("A with B at t"), "cancelled", or nothing; then report.min_clearance, certified and what
 // belongs to it are set. Times are added to report's. `seed` chooses the random times.
 //
-// A glance at 60 Hz comes first, then the proof. What is proven, with no depth left to samples, is
-// not looked at again, but for its clearance at 120 Hz. Anything else is looked at at all of
-// verification_times(); and every 0.1 ms where nothing is proven: then surfaces all but touching
-// where the proof ended count as contact. What is proven but for places near beside contacts of the
-// clip (CertificateSettings::near_the_clips) is not certified, and needs no closer look.
+// What the clip itself touches may be touched, triangle by triangle (clip_touching.h); the room to
+// slide that planning has does not count here. A glance at 60 Hz comes first, then the proof. What
+// is proven, with no depth left to samples, is not looked at again, but for its clearance at 120
+// Hz. Anything else is looked at at all of verification_times(); and every 0.1 ms where nothing is
+// proven: then surfaces all but touching where the proof ended count as contact. What is proven but
+// for places near beside contacts of the clip (CertificateSettings::near_the_clips) is not
+// certified, and needs no closer look.
 std::string verify_keys(WindowProblem& problem, const KeyedMotion& keyed, std::uint64_t seed,
                         const std::stop_token& stop, const ProgressSink& progress,
                         WindowReport& report);

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "tests/support/cli_scene.h"
+#include "tests/truth/peer_motion.h"
 #include "tests/truth/problems.h"
 
 namespace elbowroom::test {
@@ -23,6 +24,7 @@ constexpr int kFineEvery = 10;
 struct Tally {
   int number = 0, tried = 0, nothing = 0, solved = 0, certified = 0, declined = 0, errors = 0;
   int colliding = 0, judged_finely = 0;
+  int peer_tried = 0, peer_solved = 0, peer_free = 0;
   std::vector<double> seconds, deviation, clearance;
 };
 
@@ -39,6 +41,9 @@ void print(const std::string& name, const Tally& t) {
       name.c_str(), t.tried, t.nothing, t.solved, t.certified, t.declined, t.errors, t.colliding,
       t.judged_finely, share(t.seconds, 0.5), share(t.seconds, 0.95), share(t.deviation, 0.5),
       share(t.deviation, 0.95));
+  if (t.peer_tried > 0)
+    std::printf("  %-24s the peer, in the same windows and time: tried %4d  solved %4d  free %4d\n",
+                "", t.peer_tried, t.peer_solved, t.peer_free);
   std::fflush(stdout);
 }
 
@@ -97,6 +102,8 @@ class Judged {
                                 std::to_string(stage.clip()), "--limb", stage.limb().name,
                                 "--obstacles", thing, "-o", out, "--report", report_file});
     const auto report = read_json(report_file);
+    if (run.exit_code == 0 || run.exit_code == 3)
+      ask_peer(figure, stage, report, thing, number, tally);
     if (run.exit_code == 3) {
       ++tally.declined;
       for (const auto& correction : report["corrections"])
@@ -150,9 +157,49 @@ class Judged {
                                    std::filesystem::copy_options::overwrite_existing);
   }
 
+  // The same windows and, for each, the time that ours took. Where the clip is in contact at its
+  // own end there is no window to ask about.
+  void ask_peer(const Figure& figure, const TruthStage& stage, const nlohmann::json& report,
+                const std::filesystem::path& thing, int number, Tally& tally) {
+    if (!peer_is_built() || report["corrections"].empty()) return;
+    PeerQuestion question{figure.file, thing, stage.clip(), stage.limb().name, {}, 1};
+    question.seed = static_cast<std::uint64_t>(number) + 1;
+    for (const auto& correction : report["corrections"]) {
+      const double begin = correction["window"][0], end = correction["window"][1];
+      if (!(begin < end)) return;
+      question.windows.push_back({begin, end, 1e-3 * correction["total_ms"].get<double>()});
+    }
+    ++tally.peer_tried;
+    const auto out = folder_ / "peer.glb";
+    if (!peer_motion(question, out)) return;
+    ++tally.peer_solved;
+    tally.peer_free += judged(figure, stage, report, out, thing, false).bad() == 0;
+  }
+
+  struct Verdict {
+    judge::CollisionReport report;
+    int bad() const {
+      return report.obstacle_samples + report.contained_samples + report.body_samples;
+    }
+  };
+
   void judge_file(const Figure& figure, const TruthStage& stage, const nlohmann::json& report,
                   const std::filesystem::path& out, const std::filesystem::path& thing, bool finely,
                   Tally& tally) {
+    const Verdict verdict = judged(figure, stage, report, out, thing, finely);
+    tally.colliding += verdict.bad() > 0;
+    const auto& hits = verdict.report.hits;
+    EXPECT_EQ(verdict.bad(), 0) << tally.number << ": " << figure.file.filename() << " "
+                                << stage.limb().name << " clip " << stage.clip() << ": "
+                                << (hits.empty()
+                                        ? std::string()
+                                        : hits.front().mover + " meets " + hits.front().other +
+                                              " at " + std::to_string(hits.front().time));
+  }
+
+  Verdict judged(const Figure& figure, const TruthStage& stage, const nlohmann::json& report,
+                 const std::filesystem::path& out, const std::filesystem::path& thing,
+                 bool finely) {
     const auto file = judge::load(out);
     judge::CollisionQuery query;
     query.character = out;
@@ -170,15 +217,7 @@ class Judged {
       if (finely)
         for (double t = begin; t < end; t += kFineStep) query.times.push_back(t);
     }
-    const auto found = judge::count_intersecting_samples(query);
-    const int bad = found.obstacle_samples + found.contained_samples + found.body_samples;
-    tally.colliding += bad > 0;
-    EXPECT_EQ(bad, 0) << tally.number << ": " << figure.file.filename() << " " << stage.limb().name
-                      << " clip " << stage.clip() << ": "
-                      << (found.hits.empty()
-                              ? std::string()
-                              : found.hits.front().mover + " meets " + found.hits.front().other +
-                                    " at " + std::to_string(found.hits.front().time));
+    return {judge::count_intersecting_samples(query)};
   }
 
   const Folder& folder_;
@@ -218,6 +257,9 @@ TEST(Truth, NothingDeliveredCollides) {
       tally->errors += one.errors;
       tally->colliding += one.colliding;
       tally->judged_finely += one.judged_finely;
+      tally->peer_tried += one.peer_tried;
+      tally->peer_solved += one.peer_solved;
+      tally->peer_free += one.peer_free;
       const auto append = [](std::vector<double>& to, const std::vector<double>& from) {
         to.insert(to.end(), from.begin(), from.end());
       };

@@ -24,9 +24,9 @@
 #include "core/planning/curve_fit.h"
 #include "core/planning/planner.h"
 #include "core/planning/smoothing.h"
-#include "cpu_clock.h"
-#include "peer.h"
 #include "problems.h"
+#include "tests/bench/peer/cpu_clock.h"
+#include "tests/bench/peer/peer.h"
 
 namespace elbowroom::bench {
 namespace {
@@ -255,7 +255,8 @@ Row run_theirs(const Problem& p, const std::string& name, BoxKind kind, FclWorld
     settings.range = options.range;
     settings.resolution = PlannerSettings{}.resolution;
     settings.seed = static_cast<std::uint64_t>(seed);
-    const PeerRun run = run_peer(p, *world, settings);
+    const PeerRun run =
+        run_peer({&p.space, p.init(), p.goal(), space->step_times()}, *world, settings);
     if (!run.solved) continue;
     ++row.solved;
     row.checks_first.push_back(static_cast<double>(run.checks_plan));

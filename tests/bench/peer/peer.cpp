@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "peer.h"
+#include "tests/bench/peer/peer.h"
 
 #include <ompl/base/MotionValidator.h>
 #include <ompl/base/SpaceInformation.h>
@@ -13,7 +13,7 @@
 
 #include <cmath>
 
-#include "cpu_clock.h"
+#include "tests/bench/peer/cpu_clock.h"
 
 namespace elbowroom::bench {
 namespace {
@@ -115,37 +115,37 @@ std::vector<Configuration> configurations_of(const og::PathGeometric& path, int 
 
 }  // namespace
 
-PeerRun run_peer(const Problem& problem, FclWorld& world, const PeerSettings& settings) {
+PeerRun run_peer(const PeerProblem& problem, FclWorld& world, const PeerSettings& settings) {
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
   // Generators made from here on get seeds that follow from this one.
   ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(settings.seed));
-  const int dofs = problem.space.count();
+  const DofSpace& limits = *problem.space;
+  const int dofs = limits.count();
   auto space = std::make_shared<ob::RealVectorStateSpace>(static_cast<unsigned>(dofs + 1));
   ob::RealVectorBounds bounds(static_cast<unsigned>(dofs + 1));
   for (int i = 0; i < dofs; ++i) {
-    const Dof& dof = problem.space.dofs[static_cast<std::size_t>(i)];
+    const Dof& dof = limits.dofs[static_cast<std::size_t>(i)];
     bounds.setLow(static_cast<unsigned>(i), dof.lower);
     bounds.setHigh(static_cast<unsigned>(i), dof.upper);
   }
-  bounds.setLow(static_cast<unsigned>(dofs), problem.begin);
-  bounds.setHigh(static_cast<unsigned>(dofs), problem.end);
+  bounds.setLow(static_cast<unsigned>(dofs), problem.init.t);
+  bounds.setHigh(static_cast<unsigned>(dofs), problem.goal.t);
   space->setBounds(bounds);
 
   auto si = std::make_shared<ob::SpaceInformation>(space);
-  auto checker = std::make_shared<Checker>(si, problem.space, world);
+  auto checker = std::make_shared<Checker>(si, limits, world);
   si->setStateValidityChecker(checker);
-  const std::vector<double> steps = problem.planning_space(0)->step_times();
   si->setMotionValidator(
-      std::make_shared<DirectedMotions>(si, problem.space, settings.resolution, steps));
+      std::make_shared<DirectedMotions>(si, limits, settings.resolution, problem.steps));
   si->setup();
 
   ob::ScopedState<ob::RealVectorStateSpace> start(space), goal(space);
   for (int i = 0; i < dofs; ++i) {
-    start->values[i] = problem.at_init.q[i];
-    goal->values[i] = problem.at_goal.q[i];
+    start->values[i] = problem.init.q[i];
+    goal->values[i] = problem.goal.q[i];
   }
-  start->values[dofs] = problem.begin;
-  goal->values[dofs] = problem.end;
+  start->values[dofs] = problem.init.t;
+  goal->values[dofs] = problem.goal.t;
   auto definition = std::make_shared<ob::ProblemDefinition>(si);
   definition->setStartAndGoalStates(start, goal);
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <tuple>
 
-#include "peer.h"
+#include "tests/bench/peer/peer.h"
 
 namespace elbowroom::bench {
 namespace {

@@ -16,8 +16,8 @@
 #include <memory>
 #include <vector>
 
+#include "core/collision/limb_planning_space.h"
 #include "core/planning/interpolation.h"
-#include "problems.h"
 
 namespace elbowroom::bench {
 
@@ -30,6 +30,13 @@ class FclWorld {
 
 enum class BoxKind { obbrss_double, obb_float };
 std::unique_ptr<FclWorld> make_fcl_world(LimbPlanningSpace& space, BoxKind kind);
+
+// What the peer is asked: the limb's own question, without a clearance.
+struct PeerProblem {
+  const DofSpace* space = nullptr;  // limits and speed limits
+  Configuration init, goal;
+  std::vector<double> steps;  // times at which the world jumps
+};
 
 struct PeerSettings {
   double range = 0.8;  // RRTConnect's, in the norm of (parameters, time)
@@ -46,6 +53,6 @@ struct PeerRun {
   std::vector<Configuration> first, smooth;
 };
 
-PeerRun run_peer(const Problem& problem, FclWorld& world, const PeerSettings& settings);
+PeerRun run_peer(const PeerProblem& problem, FclWorld& world, const PeerSettings& settings);
 
 }  // namespace elbowroom::bench
