@@ -102,17 +102,18 @@ ShapedChain ChainShapes::follow(int joint) const {
       // Several joints in one place, as rigs without a wrist have them: that with most below it,
       // the first one of equals in the file's order.
       const double bone = glm::distance(figure_.place(next), figure_.place(joint));
+      const double same = std::max(kTogether * bone, kSamePlace * extent(next));
       int together = -1;
       int count = 0;
       for (const int other : below(joint)) {
-        if (glm::distance(figure_.place(other), figure_.place(next)) > kTogether * bone) continue;
+        if (glm::distance(figure_.place(other), figure_.place(next)) > same) continue;
         ++count;
         if (together < 0 || weight_[static_cast<std::size_t>(other)] >
                                 weight_[static_cast<std::size_t>(together)]) {
           together = other;
         }
       }
-      if (count >= 2 && bone > 0) {
+      if (count >= 2 && bone > same) {
         // Where they stand is where the limb forks.
         add(chain, together);
         fork = true;
@@ -120,6 +121,8 @@ ShapedChain ChainShapes::follow(int joint) const {
         next = on.empty() ? -1 : *std::max_element(on.begin(), on.end(), [&](int a, int b) {
           return extent(a) < extent(b);
         });
+      } else if (count >= 2) {
+        fork = true;  // they stand where this one does
       }
     }
     if (fork) chain.forks.back() = 1;

@@ -7,8 +7,8 @@
 // cut into known words, and the words are judged. So case, separators (also missing or encoded
 // ones), prefixes and numbers don't matter.
 //
-// Pure functions, any thread. Names are UTF-8. Words are English, the usual Japanese and Chinese,
-// and the parts of the body in German, French, Spanish, Italian and Portuguese.
+// Pure functions, any thread. Names are UTF-8. core/anatomy/name_words.h has the words: English,
+// and the parts of the body in a dozen other languages.
 #pragma once
 
 #include <set>

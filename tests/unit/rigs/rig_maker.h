@@ -46,9 +46,22 @@ struct MadeRig {
   std::vector<std::string> row_names;                   // by node: before any renaming
 };
 
+// One joint, parents first. The parent counts from 1; 0 is the node above everything.
+struct PlacedJoint {
+  std::string name;
+  int parent = 0;
+  Vec3 place{0.0};  // y up, facing +z
+  Carries carries = Carries::skin;
+};
+MadeRig make_rig(const std::vector<PlacedJoint>& placed, const Placement& placement = {},
+                 bool nonsense_names = false);
+
 MadeRig make_rig(const Convention& convention, const Stance& stance = {},
                  const Placement& placement = {}, bool nonsense_names = false);
 
 std::vector<Convention> conventions();
+
+// The name for one side of a row's: of "{l|r}thigh" "lthigh" or "rthigh".
+std::string sided(const std::string& name, bool left);
 
 }  // namespace elbowroom::test
