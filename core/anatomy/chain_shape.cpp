@@ -106,6 +106,7 @@ ShapedChain ChainShapes::follow(int joint) const {
       int together = -1;
       int count = 0;
       for (const int other : below(joint)) {
+        if (!figure_.carries(other)) continue;  // sockets and targets stand anywhere
         if (glm::distance(figure_.place(other), figure_.place(next)) > same) continue;
         ++count;
         if (together < 0 || weight_[static_cast<std::size_t>(other)] >

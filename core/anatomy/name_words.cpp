@@ -21,8 +21,8 @@ struct Words {
 // and Russian, small and with a capital. In MikuMikuDance's own names 腕 is the upper arm and 足
 // the thigh.
 constexpr Words kOtherScripts[] = {
-    {"left", "左 왼쪽 왼 левая Левая левый Левый левое Левое"},
-    {"right", "右 오른쪽 오른 правая Правая правый Правый правое Правое"},
+    {"left", "左 ひだり 왼쪽 왼 левая Левая левый Левый левое Левое"},
+    {"right", "右 みぎ 오른쪽 오른 правая Правая правый Правый правое Правое"},
     {"clavicle", "鎖骨 锁骨 쇄골 ключица Ключица"},
     {"scapula", "肩甲"},
     {"shoulder", "肩膀 肩 어깨"},
@@ -30,7 +30,7 @@ constexpr Words kOtherScripts[] = {
     {"arm", "胳膊 臂 팔 рука Рука"},
     {"arm twist", "腕捩"},
     {"elbow", "手肘 ひじ ヒジ 肘 팔꿈치 локоть Локоть"},
-    {"lower arm", "前腕 小臂 前臂 下臂 아래팔 전완 предплечье Предплечье"},
+    {"lower arm", "前腕 下腕 小臂 前臂 下臂 아래팔 전완 предплечье Предплечье"},
     {"wrist", "手首 手腕 손목 запястье Запястье"},
     {"hand", "手 손 кисть Кисть"},
     {"hand twist", "手捩"},

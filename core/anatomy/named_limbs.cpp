@@ -13,6 +13,7 @@ namespace elbowroom {
 namespace {
 
 constexpr double kLeastHalf = 0.15;  // of a bone: shorter is no half of it
+constexpr double kRounding = 1e-6;
 
 struct Chain {
   int root = -1, middle = -1, end = -1;
@@ -41,15 +42,33 @@ int unnamed_end(const NamedFigure& figure, const LimbFamily& family, int root, i
   return best;
 }
 
+// How much two bones are like a limb's, in units of length: long, and about equal.
+double likeness(double upper, double lower) {
+  const double shorter = std::min(upper, lower), longer = std::max(upper, lower);
+  return longer > 0 ? shorter * shorter / longer : 0;
+}
+
 // The root above a forearm or shin: the topmost joint named an upper arm, else the topmost plain
-// "arm", else the nearest "shoulder" (some habits call the upper arm so, with a collar above).
+// "arm", else a "shoulder" (some habits call the upper arm so, with a collar above; there may be
+// twist joints so named below it): of several the one that makes the two bones most equal.
 int root_above(const NamedFigure& figure, const LimbFamily& family,
-               const std::vector<LimbCandidate>& candidates, int fore) {
+               const std::vector<LimbCandidate>& candidates, int fore, int end) {
   for (const BonePart part : {family.upper, family.plain, family.weak}) {
     int found = -1;
+    double best = -1;
     for (const LimbCandidate& candidate : candidates) {  // parents first
       if (candidate.part != part || !figure.below(fore, candidate.joint)) continue;
-      if (found < 0 || part == family.weak) found = candidate.joint;
+      if (part != family.weak) {
+        found = candidate.joint;
+        break;
+      }
+      const double fit =
+          end < 0 ? 0
+                  : likeness(figure.distance(candidate.joint, fore), figure.distance(fore, end));
+      if (fit >= best) {
+        found = candidate.joint;
+        best = fit;
+      }
     }
     if (found >= 0) return found;
   }
@@ -57,7 +76,7 @@ int root_above(const NamedFigure& figure, const LimbFamily& family,
 }
 
 // Limbs whose joints bear one name and a number ("arm_joint_L_1", "Leg02"): of the chain they form,
-// with a named end if there is one, the three joints with the longest two bones between them.
+// with a named end if there is one, the three joints with two long and equal bones between them.
 std::optional<Chain> numbered_chain(const NamedFigure& figure, const LimbFamily& family,
                                     const std::vector<LimbCandidate>& candidates) {
   std::vector<int> best;
@@ -90,17 +109,18 @@ std::optional<Chain> numbered_chain(const NamedFigure& figure, const LimbFamily&
     // A named end stays the end.
     const std::size_t last = best_end >= 0 ? best.size() - 1 : i + 2;
     for (std::size_t m = i + 1; m < last; ++m) {
-      const double a = figure.distance(best[i], best[m]);
-      const double b = figure.distance(best[m], best[last]);
-      // Two long bones, about equal: a clavicle above or twist joints between make them less so.
-      const double score = std::min(a, b) * std::min(a, b) / std::max(a, b);
-      if (score > longest) {
-        longest = score;
+      // A clavicle above or twist joints between make the bones less equal. Of two elbows in one
+      // place the lower one is it.
+      const double fit =
+          likeness(figure.distance(best[i], best[m]), figure.distance(best[m], best[last]));
+      const bool same_root = found.root == best[i];
+      if (fit > longest * (1 + kRounding) || (same_root && fit >= longest * (1 - kRounding))) {
+        longest = fit;
         found = {best[i], best[m], best[last], ""};
       }
     }
   }
-  found.remark = "of the joints so named, those with the longest two bones between them";
+  found.remark = "of the joints so named, those with two long and equal bones between them";
   return found;
 }
 
@@ -118,7 +138,9 @@ std::optional<Chain> named_chain(const NamedFigure& figure, const LimbFamily& fa
     if (!topmost) continue;
     Chain chain;
     chain.middle = fore.joint;
-    chain.root = root_above(figure, family, candidates, fore.joint);
+    bool several = false;
+    chain.end = nearest_below(figure, candidates, family.end, fore.joint, several);
+    chain.root = root_above(figure, family, candidates, fore.joint, chain.end);
     if (chain.root < 0) {
       if (!best) {
         reason =
@@ -126,8 +148,6 @@ std::optional<Chain> named_chain(const NamedFigure& figure, const LimbFamily& fa
       }
       continue;
     }
-    bool several = false;
-    chain.end = nearest_below(figure, candidates, family.end, fore.joint, several);
     int score = 4;
     if (chain.end < 0) {
       chain.end = unnamed_end(figure, family, chain.root, fore.joint);
