@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// The limbs of rigs that exist: by what their joints are called, and by their shape alone.
+#include <gtest/gtest.h>
+
+#include "tests/unit/rigs/real_skeletons.h"
+#include "tests/unit/rigs/skeleton_text.h"
+
+namespace elbowroom::test {
+namespace {
+
+std::string place_name(const MadeRig& rig, int joint) {
+  return joint < 0 ? "none" : rig.row_names[static_cast<std::size_t>(joint)];
+}
+
+void expect_limb(const MadeRig& rig, const LimbFindings& findings, LimbKind kind,
+                 const std::array<const char*, 3>& names) {
+  SCOPED_TRACE(limb_id(kind));
+  const Limb* limb = nullptr;
+  for (const Limb& found : findings.limbs) {
+    if (found.kind == kind) limb = &found;
+  }
+  if (names[0] == nullptr) {
+    EXPECT_EQ(limb, nullptr) << (limb == nullptr ? "" : limb->why);
+    return;
+  }
+  ASSERT_NE(limb, nullptr);
+  const bool left = kind == LimbKind::left_arm || kind == LimbKind::left_leg;
+  EXPECT_EQ(place_name(rig, limb->root), sided(names[0], left)) << limb->why;
+  EXPECT_EQ(place_name(rig, limb->middle), sided(names[1], left)) << limb->why;
+  EXPECT_EQ(place_name(rig, limb->end), sided(names[2], left)) << limb->why;
+  const auto fitted = fit_limb_model(rig.model, rig.character(), *limb, findings);
+  EXPECT_TRUE(fitted.ok()) << fitted.error().message();
+}
+
+void expect_limbs(const MadeRig& rig, const RealSkeleton& skeleton) {
+  const LimbFindings findings = find_limbs(rig.model, rig.character());
+  for (const LimbKind kind : {LimbKind::left_arm, LimbKind::right_arm})
+    expect_limb(rig, findings, kind, skeleton.arm);
+  for (const LimbKind kind : {LimbKind::left_leg, LimbKind::right_leg})
+    expect_limb(rig, findings, kind, skeleton.leg);
+}
+
+std::vector<Placement> placements() {
+  return {{},
+          {Vec3(100), Quat(1, 0, 0, 0), true},
+          {Vec3(0.01), glm::angleAxis(2.0, glm::normalize(Vec3(0.05, 1, -0.1))), false},
+          {Vec3(1.1, 1, 0.95), Quat(1, 0, 0, 0), false}};
+}
+
+TEST(RealRigs, LimbsOfSkeletons) {
+  for (const RealSkeleton& skeleton : real_skeletons()) {
+    for (const Placement& placement : placements()) {
+      SCOPED_TRACE(skeleton.name);
+      const MadeRig rig = rig_of(read_skeleton(skeleton.text), placement);
+      expect_limbs(rig, skeleton);
+      for (const Limb& limb : find_limbs(rig.model, rig.character()).limbs)
+        EXPECT_EQ(limb.why.rfind("names: ", 0), 0u) << limb.why;
+    }
+  }
+}
+
+TEST(RealRigs, LimbsOfSkeletonsWithoutNames) {
+  for (const RealSkeleton& skeleton : real_skeletons()) {
+    SCOPED_TRACE(skeleton.name);
+    expect_limbs(rig_of(read_skeleton(skeleton.text), {}, true), skeleton);
+  }
+}
+
+// A body with these names and nothing that would tell the limbs by shape: arms and legs that stop
+// at their ends, no clavicles where the convention has none.
+std::vector<WrittenJoint> body_of(const JointNames& names) {
+  const std::string root = names.hips;
+  std::string text = root + " = 0 0.98 0\n " + names.chest + " = 0 0.34 -0.02\n  Head = 0 0.26 0\n";
+  const auto chain = [&](std::size_t depth,
+                         std::vector<std::pair<const char*, const char*>> joints) {
+    for (const auto& [name, offset] : joints) {
+      if (*name == 0) continue;
+      text += std::string(depth, ' ') + name + " = " + offset + "\n";
+      ++depth;
+    }
+    return depth;
+  };
+  const char* shoulder = *names.clavicle == 0 ? "0.18 0.11 0.01" : "0.15 0 -0.01";
+  const std::size_t hand = chain(2, {{names.clavicle, "0.03 0.11 0.02"},
+                                     {names.upper, shoulder},
+                                     {names.fore, "0.28 0 -0.01"},
+                                     {names.hand, "0.25 0 0.01"}});
+  chain(hand, {{names.thumb, "0.025 -0.01 0.03"}});
+  chain(hand, {{names.finger, "0.09 0 0.015"}});
+  chain(1, {{names.thigh, "0.1 -0.05 0"},
+            {names.shin, "0 -0.44 0.02"},
+            {names.foot, "0 -0.41 -0.04"},
+            {names.toe, "0 -0.06 0.13"}});
+  return read_skeleton(text);
+}
+
+TEST(RealRigs, LimbsByWhatJointsAreCalled) {
+  for (const JointNames& names : real_names()) {
+    SCOPED_TRACE(std::string(names.convention) + " (" + names.source + ")");
+    const MadeRig rig = rig_of(body_of(names));
+    const RealSkeleton expected = {names.convention,
+                                   {names.upper, names.fore, names.hand},
+                                   {names.thigh, names.shin, names.foot},
+                                   ""};
+    expect_limbs(rig, expected);
+    for (const Limb& limb : find_limbs(rig.model, rig.character()).limbs)
+      EXPECT_EQ(limb.why.rfind("names: ", 0), 0u) << limb.name << ": " << limb.why;
+  }
+}
+
+}  // namespace
+}  // namespace elbowroom::test

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Skeletons that exist, with the limbs that they should be found to have.
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace elbowroom::test {
+
+struct RealSkeleton {
+  const char* name;
+  std::array<const char*, 3> arm, leg;  // root, middle, end with {L|R}; of no arm: null
+  const char* text;                     // skeleton_text.h
+};
+std::vector<RealSkeleton> real_skeletons();
+RealSkeleton unreal_skeleton();  // one of them
+
+// What one convention calls its joints, both sides of a name with {L|R}; "" where it has none.
+struct JointNames {
+  const char* convention;
+  const char* source;
+  const char *hips, *chest, *clavicle, *upper, *fore, *hand, *thumb, *finger, *thigh, *shin, *foot,
+      *toe;
+};
+std::vector<JointNames> real_names();
+
+}  // namespace elbowroom::test
