@@ -48,7 +48,7 @@ class Finder {
           findings.warnings.push_back(std::string(limb_id(kind)) + ": " + warning);
       } else {
         findings.warnings.push_back(std::string(limb_id(kind)) +
-                                    " not found: " + reasons_[slot(kind)]);
+                                    " not found: " + reasons_[slot(kind)] + advice(kind));
       }
     }
     for (const Limb& chain : chains_) findings.limbs.push_back(chain);
@@ -245,6 +245,14 @@ class Finder {
     }
   }
 
+  // What can be done about a limb that is not found.
+  std::string advice(LimbKind kind) const {
+    const auto set = overrides_.find(limb_id(kind));
+    if (set != overrides_.end() && set->second.none()) return "";
+    return std::string("; if it has one, name its joints: \"limbs\": {\"") + limb_id(kind) +
+           "\": [from, middle, to]} in a project file, or the editor's \"Joints of the limbs\"";
+  }
+
   // What was said to be no limb is found first, for it tells the sides of the others.
   void drop_denied() {
     for (const LimbKind kind : kKinds) {
@@ -277,6 +285,11 @@ class Finder {
     limb.why = why;
     complete_limb(figure_, limb);
     limb.named_side = true;
+    for (const int joint : left_behind(figure_, limb)) {
+      const int parent = figure_.parent(joint);
+      limb_warnings_[slot(kind)].push_back(quoted(joint) + " lies along it but hangs from " +
+                                           quoted(parent) + ", and will not follow it");
+    }
     found_[slot(kind)] = limb;
   }
 

@@ -4,9 +4,12 @@
 #include <algorithm>
 
 #include "core/anatomy/bind_geometry.h"
+#include "core/anatomy/limb_names.h"
 
 namespace elbowroom {
 namespace {
+
+constexpr double kAtRoot = 0.1;  // of the upper bone
 
 bool turned_by_a_clip(const Model& model, int joint) {
   return std::any_of(model.clips.begin(), model.clips.end(), [&](const Clip& clip) {
@@ -70,6 +73,27 @@ void complete_limb(const BoundFigure& figure, Limb& limb) {
   if (!between.empty()) limb.why += "; driven between them: " + listed(model, between);
   if (!limb.beside.empty()) limb.why += "; driven beside them: " + listed(model, limb.beside);
   if (!moved.empty()) limb.why += "; turned by its clips at " + listed(model, moved);
+}
+
+std::vector<int> left_behind(const BoundFigure& figure, const Limb& limb) {
+  std::vector<int> behind;
+  const int above = figure.parent(limb.root);
+  if (above < 0) return behind;
+  const Vec3 root = figure.place(limb.root), bone = figure.place(limb.middle) - root;
+  const double length = glm::length(bone);
+  for (const int other : figure.children(above)) {
+    if (other == limb.root || !is_skin_joint(figure.character, other) || !figure.carries(other) ||
+        !lies_along(figure, other, limb.root, limb.middle))
+      continue;
+    // At the root itself much may stand that rightly stays; a twist joint says what it is.
+    const bool at_root = glm::dot(figure.place(other) - root, bone) < kAtRoot * length * length;
+    const BoneName name =
+        read_bone_name(figure.model.skeleton.joints[static_cast<std::size_t>(other)].name);
+    const bool of_limb = name.part != BonePart::none && name.part != BonePart::clavicle &&
+                         name.part != BonePart::shoulder && name.part != BonePart::hip;
+    if (!at_root || (name.helper && of_limb)) behind.push_back(other);
+  }
+  return behind;
 }
 
 std::string quoted_joint(const Model& model, int joint) {

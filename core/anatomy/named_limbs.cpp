@@ -48,9 +48,10 @@ double likeness(double upper, double lower) {
   return longer > 0 ? shorter * shorter / longer : 0;
 }
 
-// The root above a forearm or shin: the topmost joint named an upper arm, else the topmost plain
-// "arm", else a "shoulder" (some habits call the upper arm so, with a collar above; there may be
-// twist joints so named below it): of several the one that makes the two bones most equal.
+// The root above a forearm or shin: the topmost joint named an upper arm on that bone's line, else
+// the topmost plain "arm" on it, else a "shoulder" (some habits call the upper arm so, with a
+// collar above; there may be twist joints so named below it): of several the one that makes the two
+// bones most equal.
 int root_above(const NamedFigure& figure, const LimbFamily& family,
                const std::vector<LimbCandidate>& candidates, int fore, int end) {
   for (const BonePart part : {family.upper, family.plain, family.weak}) {
@@ -59,6 +60,16 @@ int root_above(const NamedFigure& figure, const LimbFamily& family,
     for (const LimbCandidate& candidate : candidates) {  // parents first
       if (candidate.part != part || !figure.below(fore, candidate.joint)) continue;
       if (part != family.weak) {
+        // What is named like it below is a piece of the same bone; if not, this one is a helper
+        // above it.
+        const bool helper =
+            std::any_of(candidates.begin(), candidates.end(), [&](const LimbCandidate& other) {
+              return other.part == part && figure.below(other.joint, candidate.joint) &&
+                     figure.below(fore, other.joint) &&
+                     !lies_along(figure.figure.place(other.joint),
+                                 figure.figure.place(candidate.joint), figure.figure.place(fore));
+            });
+        if (helper) continue;
         found = candidate.joint;
         break;
       }

@@ -6,78 +6,7 @@
 namespace elbowroom::test {
 
 std::vector<RealSkeleton> real_skeletons() {
-  std::vector<RealSkeleton> all;
-
-  // Boxing_Toes.bvh among assimp's test models: collar, shoulder, elbow, wrist and hip, knee,
-  // ankle.
-  all.push_back({"Biovision",
-                 {"{Left|Right}Shoulder", "{Left|Right}Elbow", "{Left|Right}Wrist"},
-                 {"{Left|Right}Hip", "{Left|Right}Knee", "{Left|Right}Ankle"},
-                 R"(
-Hips = 0 0 0
- Ab = 0 8.27 0
-  Chest = 0 22.42 0
-   Neck = 0 22.42 0
-    Head = 0 11 0
-   {Left|Right}Collar = 0 22.42 0
-    {Left|Right}Shoulder = 20 0 0
-     {Left|Right}Elbow = 25.59 0 0
-      {Left|Right}Wrist = 23.45 0 0
- {Left|Right}Hip = 12 0 0
-  {Left|Right}Knee = 0 -42.22 0
-   {Left|Right}Ankle = 0 -43.43 0
-    {Left|Right}Toes = 0 -6.5 15
-)"});
-
-  // 01_01.bvh among assimp's test models (CMU's recordings, converted): joints in one place, no
-  // offsets between shoulders, hands and fingers.
-  all.push_back({"CMU",
-                 {"{Left|Right}Arm", "{Left|Right}ForeArm", "{Left|Right}Hand"},
-                 {"{Left|Right}UpLeg", "{Left|Right}Leg", "{Left|Right}Foot"},
-                 R"(
-Hips = 0 0 0
- {L|R}HipJoint = 0 0 0
-  {Left|Right}UpLeg = 1.36 -1.79 0.84
-   {Left|Right}Leg = 2.45 -6.73 0
-    {Left|Right}Foot = 2.56 -7.04 0
-     {Left|Right}ToeBase = 0.16 -0.43 2.32
- LowerBack = 0 0 0
-  Spine = 0.03 2.04 -0.19
-   Spine1 = 0.06 2.05 -0.04
-    Neck = 0 0 0
-     Neck1 = -0.05 1.75 0.17
-      Head = 0.1 1.76 -0.12
-    {Left|Right}Shoulder = 0 0 0
-     {Left|Right}Arm = 3.36 1.2 -0.31
-      {Left|Right}ForeArm = 4.98 0 0
-       {Left|Right}Hand = 3.48 0 0
-        {Left|Right}FingerBase = 0 0 0
-         {L|R}Fingers = 0.72 0 0
-        {L|R}Thumb = 0 0 0
-)"});
-
-  // the pose template of a public tool for Second Life: the sides differ a little.
-  all.push_back({"Poser",
-                 {"{l|r}Shldr", "{l|r}ForeArm", "{l|r}Hand"},
-                 {"{l|r}Thigh", "{l|r}Shin", "{l|r}Foot"},
-                 R"(
-hip = 0 43.5 0
- abdomen = 0 3.42 0
-  chest = 0 8.49 -0.68
-   neck = 0 10.27 -0.27
-    head = 0 3.15 0
-   lCollar = 3.42 6.71 -0.82
-    lShldr = 3.29 0 0
-     lForeArm = 10.13 0 0
-      lHand = 8.49 0 0
-   rCollar = -3.56 6.71 -0.82
-    rShldr = -3.15 0 0
-     rForeArm = -10.27 0 0
-      rHand = -8.35 0 0
- {l|r}Thigh = 5.34 -1.64 1.37
-  {l|r}Shin = -2.05 -20.12 0
-   {l|r}Foot = 0 -19.3 -1.23
-)"});
+  std::vector<RealSkeleton> all = recorded_skeletons();
 
   // Blender 3.4, rigify/metarigs/Basic/basic_human.py: places of the bones' heads.
   all.push_back({"Rigify, basic human",

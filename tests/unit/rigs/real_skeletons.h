@@ -13,7 +13,8 @@ struct RealSkeleton {
   const char* text;                     // skeleton_text.h
 };
 std::vector<RealSkeleton> real_skeletons();
-RealSkeleton unreal_skeleton();  // one of them
+std::vector<RealSkeleton> recorded_skeletons();  // some of them
+RealSkeleton unreal_skeleton();                  // one of them
 
 // What one convention calls its joints, both sides of a name with {L|R}; "" where it has none.
 struct JointNames {
