@@ -117,10 +117,11 @@ RL_BoneRoot = 0 0 0
          CC_Base_{L|R}_Thumb1 = 0.8 5 5.2
        CC_Base_{L|R}_UpperarmTwist01 = 0 0 0
         CC_Base_{L|R}_UpperarmTwist02 = -0.5 12.6 -0.1
-)"});
+)",
+                 Vec3(0.0)});
 
-  // makehumancommunity/makehuman, walks/walk1.bvh: a helper "__UpLeg_L" above each thigh, fingers that begin
-  // in one place; z up.
+  // makehumancommunity/makehuman, walks/walk1.bvh: a helper "__UpLeg_L" above each thigh, fingers
+  // that begin in one place; z up.
   all.push_back({"MakeHuman, as recorded",
                  {"UpArm_{L|R}", "LoArm_{L|R}", "Hand_{L|R}"},
                  {"UpLeg_{L|R}", "LoLeg_{L|R}", "Foot_{L|R}"},
@@ -151,7 +152,8 @@ Root = 0 1.24 9.56
     LoLeg_{L|R} = -0.12 0.26 -4.26
      Foot_{L|R} = -0.22 0.08 -3.91
       Toe_{L|R} = 0.02 -1.13 -0.64
-)"});
+)",
+                 Vec3(0, -1, 0)});
 
   // pirouette.bvh of three.js' examples: a short joint before each thigh.
   all.push_back({"Poser with buttocks",

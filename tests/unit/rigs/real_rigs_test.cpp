@@ -66,6 +66,21 @@ TEST(RealRigs, LimbsOfSkeletonsWithoutNames) {
   }
 }
 
+TEST(RealRigs, WhereSkeletonsLook) {
+  for (const RealSkeleton& skeleton : real_skeletons()) {
+    SCOPED_TRACE(skeleton.name);
+    if (skeleton.forward == Vec3(0.0)) continue;
+    for (const bool nameless : {false, true}) {
+      const MadeRig rig = rig_of(read_skeleton(skeleton.text), {}, nameless);
+      const LimbFindings findings = find_limbs(rig.model, rig.character());
+      const BodyAxes axes = body_axes(rig.model, rig.character(), findings);
+      EXPECT_NEAR(glm::dot(axes.forward, skeleton.forward), 1, 1e-6);
+      for (const std::string& warning : findings.warnings)
+        EXPECT_EQ(warning.find("swapped"), std::string::npos) << warning;
+    }
+  }
+}
+
 // A body with these names and nothing that would tell the limbs by shape: arms and legs that stop
 // at their ends, no clavicles where the convention has none.
 std::vector<WrittenJoint> body_of(const JointNames& names) {

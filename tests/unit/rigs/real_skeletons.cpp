@@ -219,7 +219,8 @@ Yeti_Hips = 0 0.0876 0
  Yeti_{Left|Right}Leg = -0.0489 -0.012 0
   Yeti_{Left|Right}Knee = -0.0052 -0.0306 -0.0056
    Yeti_{Left|Right}Ankle = 0.0041 -0.023 0.0145
-)"});
+)",
+                 Vec3(0, 0, -1)});
 
   // cioddi/desktophero_django_docker, the lower half of a figure: "#left arm" and the like are
   // places to put things.

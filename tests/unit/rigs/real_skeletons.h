@@ -5,12 +5,15 @@
 #include <array>
 #include <vector>
 
+#include "core/base/math.h"
+
 namespace elbowroom::test {
 
 struct RealSkeleton {
   const char* name;
   std::array<const char*, 3> arm, leg;  // root, middle, end with {L|R}; of no arm: null
   const char* text;                     // skeleton_text.h
+  Vec3 forward{0, 0, 1};                // where it looks; zero: its pose does not tell
 };
 std::vector<RealSkeleton> real_skeletons();
 std::vector<RealSkeleton> recorded_skeletons();  // some of them
