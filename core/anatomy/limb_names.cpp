@@ -31,11 +31,15 @@ bool is_upper(unsigned char c) { return std::isupper(c) != 0; }
 bool is_letter(unsigned char c) { return is_lower(c) || is_upper(c); }
 
 // Lower-case words between separators, digits and capitals. A namespace (up to the last ':' or '|')
-// is dropped.
+// is dropped, and so are the folders of a path ("root/hips/thigh_l").
 std::vector<std::string> split(const std::string& text) {
   const std::string name = plain_name(text);
   const std::size_t colon = name.find_last_of(":|");
-  const std::size_t start = colon == std::string::npos || colon + 1 == name.size() ? 0 : colon + 1;
+  std::size_t start = colon == std::string::npos || colon + 1 == name.size() ? 0 : colon + 1;
+  const std::size_t slash = name.find_last_of('/');
+  constexpr std::size_t kShortest = 3;  // less is a side: "arm/L"
+  if (slash != std::string::npos && slash > start && name.size() - slash > kShortest)
+    start = slash + 1;
   std::vector<std::string> tokens;
   std::string token;
   const auto flush = [&] {
@@ -227,6 +231,45 @@ BoneName read_bone_name(const std::string& name, const std::set<std::string>& ha
   return result;
 }
 
+namespace {
+
+// Words that mean something to us and stand in nearly all names: "FootSoldier_LeftArm".
+std::vector<std::string> shared_known_words(const std::vector<std::string>& names) {
+  constexpr std::size_t kFewest = 8;
+  std::vector<std::string> shared;
+  if (names.size() < kFewest) return shared;
+  std::map<std::string, std::size_t> count;
+  for (const std::string& name : names) {
+    const std::vector<std::string> tokens = split(name);
+    for (const std::string& token : std::set<std::string>(tokens.begin(), tokens.end())) {
+      const auto known = name_words().find(token);
+      const bool says = known != name_words().end() && known->second != NameWord::noise &&
+                        known->second != NameWord::side_left &&
+                        known->second != NameWord::side_right;
+      if (says || translated_words().count(token) != 0) ++count[token];
+    }
+  }
+  for (const auto& [token, n] : count) {
+    if (20 * n >= 17 * names.size()) shared.push_back(token);
+  }
+  return shared;
+}
+
+// Whether parts of both sides are still named when these words are passed over; of a hand's own
+// skeleton, where "hand" and "left" are in all names, they are not.
+bool tell_both_sides(const std::vector<std::string>& names, const std::set<std::string>& habit) {
+  bool left = false, right = false;
+  for (const std::string& name : names) {
+    const BoneName read = read_bone_name(name, habit);
+    if (read.part == BonePart::none || read.helper) continue;
+    left = left || read.side == BoneSide::left;
+    right = right || read.side == BoneSide::right;
+  }
+  return left && right;
+}
+
+}  // namespace
+
 std::set<std::string> common_words(const std::vector<std::string>& names) {
   std::map<std::string, std::size_t> count;
   for (const std::string& name : names) {
@@ -239,6 +282,11 @@ std::set<std::string> common_words(const std::vector<std::string>& names) {
   std::set<std::string> common;
   for (const auto& [word, n] : count) {
     if (n >= 3 && 3 * n >= names.size()) common.insert(word);
+  }
+  for (const std::string& word : shared_known_words(names)) {
+    std::set<std::string> with = common;
+    with.insert(word);
+    if (tell_both_sides(names, with)) common = with;
   }
   return common;
 }

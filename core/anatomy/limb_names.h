@@ -49,7 +49,8 @@ struct BoneName {
 // Words in `habit` (a prefix of the artist's own, for instance) are passed over.
 BoneName read_bone_name(const std::string& name, const std::set<std::string>& habit = {});
 
-// The unknown words that at least a third of the names have in common.
+// An artist's own words: the unknown ones that at least a third of the names have in common, and
+// known ones that nearly all of them have, if the names tell parts of both sides without them.
 std::set<std::string> common_words(const std::vector<std::string>& names);
 
 }  // namespace elbowroom

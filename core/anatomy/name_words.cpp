@@ -140,13 +140,15 @@ const std::map<std::string, NameWord, std::less<>>& name_words() {
          "metacarpal", "carpal", "knuckle", "digit", "digits"});
     add(NameWord::toe, {"toe", "toes", "toebase", "ball", "heel", "metatarsal", "midtarsal"});
     add(NameWord::helper,
-        {"ik",     "fk",     "ctrl",   "ctl",        "control", "controller", "cntrl",  "pole",
-         "target", "tgt",    "orient", "twist",      "roll",    "helper",     "tweak",  "effector",
-         "eff",    "socket", "attach", "attachment", "slot",    "prop",       "weapon", "mch",
-         "pv",     "pt",     "aux",    "aim",        "goal",    "locator",    "hint",   "handle",
-         "driver", "jiggle", "muscle", "tracker",    "share",   "corrective", "assimp", "dummy",
-         "cancel", "pivot",  "proxy",  "sleeve",     "skirt",   "cloth",      "armor",  "armour",
-         "solver", "hlp",    "assist", "adj",        "holder",  "platform",   "sec",    "ikfk"});
+        {"ik",     "fk",       "ctrl",    "ctl",        "control", "controller", "cntrl",
+         "pole",   "target",   "tgt",     "orient",     "twist",   "roll",       "helper",
+         "tweak",  "effector", "eff",     "socket",     "attach",  "attachment", "att",
+         "slot",   "prop",     "weapon",  "mch",        "pv",      "pt",         "aux",
+         "aim",    "goal",     "locator", "hint",       "handle",  "driver",     "jiggle",
+         "muscle", "tracker",  "share",   "corrective", "assimp",  "dummy",      "cancel",
+         "pivot",  "proxy",    "sleeve",  "skirt",      "cloth",   "armor",      "armour",
+         "solver", "hlp",      "assist",  "adj",        "holder",  "platform",   "sec",
+         "ikfk"});
     add(NameWord::copy, {"org"});
     add(NameWord::end_marker, {"end", "nub", "tip"});
     add(NameWord::noise,

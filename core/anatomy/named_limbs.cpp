@@ -185,15 +185,40 @@ std::optional<Chain> named_chain(const NamedFigure& figure, const LimbFamily& fa
   return best;
 }
 
-// A hand or foot that does not hang from its limb, or nothing.
-int detached_end(const NamedFigure& figure, const LimbFamily& family,
-                 const std::vector<LimbCandidate>& candidates, const Chain& chain) {
+// Hands, fingers, feet and toes of the limb's side that move skin but do not hang from it; of each
+// branch the topmost.
+std::vector<int> detached_ends(const NamedFigure& figure, const LimbFamily& family,
+                               const std::vector<LimbCandidate>& candidates, BoneSide side,
+                               const Chain& chain) {
+  const BonePart digit = family.arm ? BonePart::finger : BonePart::toe;
+  std::vector<int> detached;
   for (const LimbCandidate& candidate : candidates) {
-    if (candidate.part == family.end && !figure.below(candidate.joint, chain.root)) {
-      return candidate.joint;
-    }
+    if (candidate.part == family.end && !figure.below(candidate.joint, chain.root))
+      detached.push_back(candidate.joint);
   }
-  return -1;
+  for (const int joint : figure.members) {
+    const BoneName& name = figure.name(joint);
+    if (name.part != digit || name.side != side || name.helper || name.end_marker || name.copy ||
+        figure.below(joint, chain.root) || !is_skin_joint(figure.figure.character, joint) ||
+        !figure.figure.carries(joint))
+      continue;
+    const bool covered = std::any_of(detached.begin(), detached.end(), [&](int other) {
+      return joint == other || figure.below(joint, other);
+    });
+    if (!covered) detached.push_back(joint);
+  }
+  return detached;
+}
+
+// What is said of them.
+std::string detached_words(const NamedFigure& figure, const std::vector<int>& detached) {
+  const int parent = figure.figure.parent(detached.front());
+  std::string words = figure.quoted(detached.front());
+  if (detached.size() > 1)
+    words += " and " + std::to_string(detached.size() - 1) + " more of its end";
+  words += detached.size() > 1 ? " hang " : " hangs ";
+  words += parent < 0 ? "free" : "from " + figure.quoted(parent);
+  return words + ", not from the limb, and will not follow it";
 }
 
 // Some rigs split a bone and call its first half the twist ("thigh_twist" above "thigh_stretch"):
@@ -230,8 +255,8 @@ NamedLimb find_one(const NamedFigure& figure, const LimbFamily& family, LimbKind
                    const std::vector<BoneSide>& sides) {
   NamedLimb limb;
   const bool left = kind == LimbKind::left_arm || kind == LimbKind::left_leg;
-  const std::vector<LimbCandidate> candidates =
-      candidates_of(figure, family, left ? BoneSide::left : BoneSide::right, sides);
+  const BoneSide side = left ? BoneSide::left : BoneSide::right;
+  const std::vector<LimbCandidate> candidates = candidates_of(figure, family, side, sides);
   limb.why =
       std::string("no joint is named as ") + (family.arm ? "an arm" : "a leg") + " of that side";
   if (!candidates.empty()) {
@@ -256,12 +281,9 @@ NamedLimb find_one(const NamedFigure& figure, const LimbFamily& family, LimbKind
                figure.quoted(chain->end) + " lie in one place";
     return limb;
   }
-  const int detached = detached_end(figure, family, candidates, *chain);
-  if (detached >= 0) {
-    const int parent = figure.figure.parent(detached);
-    const std::string what = figure.quoted(detached) + " hangs " +
-                             (parent < 0 ? "free" : "from " + figure.quoted(parent)) +
-                             ", not from the limb, and will not follow it";
+  const std::vector<int> detached = detached_ends(figure, family, candidates, side, *chain);
+  if (!detached.empty()) {
+    const std::string what = detached_words(figure, detached);
     if (!chain->remark.empty()) chain->remark += "; ";
     chain->remark += what;
     limb.warnings.push_back(what);

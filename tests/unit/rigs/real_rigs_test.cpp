@@ -123,5 +123,73 @@ TEST(RealRigs, LimbsByWhatJointsAreCalled) {
   }
 }
 
+// Rigify hangs the chain of an arm's DEF bones from the ORG shoulder, but a finger's from the ORG
+// palm: turning the arm leaves the fingers behind, and so does turning the ORG arm the arm's skin.
+TEST(RealRigs, FingersThatHangElsewhereAreWarnedOf) {
+  const MadeRig rig = rig_of(read_skeleton(R"(
+root = 0 0 0 -
+ ORG-spine = 0 1 0 -
+  DEF-spine = 0 0 0
+   DEF-spine.003 = 0 0.3 0
+  ORG-spine.003 = 0 0.3 0 -
+   ORG-shoulder.{L|R} = 0.02 0.1 0.02 -
+    DEF-shoulder.{L|R} = 0 0 0
+    DEF-upper_arm.{L|R} = 0.15 0 -0.02
+     DEF-upper_arm.{L|R}.001 = 0.14 0 -0.01
+      DEF-forearm.{L|R} = 0.14 0 -0.01
+       DEF-forearm.{L|R}.001 = 0.12 0 0.01
+        DEF-hand.{L|R} = 0.12 0 0.01
+    ORG-upper_arm.{L|R} = 0.15 0 -0.02 -
+     ORG-forearm.{L|R} = 0.28 0 -0.02 -
+      ORG-hand.{L|R} = 0.24 0 0.02 -
+       ORG-palm.01.{L|R} = 0.03 0 0.02 -
+        DEF-palm.01.{L|R} = 0 0 0
+        DEF-f_index.01.{L|R} = 0.05 0 0.01
+         DEF-f_index.02.{L|R} = 0.04 0 0
+        DEF-thumb.01.{L|R} = -0.02 -0.01 0.02
+  DEF-thigh.{L|R} = 0.1 -0.03 0
+   DEF-thigh.{L|R}.001 = 0 -0.22 0.01
+    DEF-shin.{L|R} = 0 -0.22 0.01
+     DEF-shin.{L|R}.001 = 0 -0.21 -0.02
+      DEF-foot.{L|R} = 0 -0.21 -0.02
+       DEF-toe.{L|R} = 0 -0.06 0.12
+)"));
+  const LimbFindings findings = find_limbs(rig.model, rig.character());
+  expect_limb(rig, findings, LimbKind::left_arm,
+              {"DEF-upper_arm.{L|R}", "DEF-forearm.{L|R}", "DEF-hand.{L|R}"});
+  expect_limb(rig, findings, LimbKind::right_leg,
+              {"DEF-thigh.{L|R}", "DEF-shin.{L|R}", "DEF-foot.{L|R}"});
+  ASSERT_EQ(findings.warnings.size(), 2u);
+  EXPECT_EQ(findings.warnings[0],
+            "left_arm: 'DEF-palm.01.L' and 2 more of its end hang from 'ORG-palm.01.L', not from "
+            "the limb, and will not follow it");
+}
+
+// Prefixes that mean parts of a body, or that would make helpers of all joints; joints' paths.
+TEST(RealRigs, PrefixesAndPaths) {
+  for (const char* prefix :
+       {"FootSoldier_", "Target_", "rp_nathan_animated_003_walking_", "Hand_Painted_Knight.",
+        "Armature/Root/Hand_Rig/", "shoulder-cannon ", "proxy:", "mixamorig12:"}) {
+    SCOPED_TRACE(prefix);
+    const std::string p = prefix;
+    const std::string text = p + "pelvis = 0 1 0\n " + p + "spine = 0 0.3 0\n  " + p +
+                             "head = 0 0.3 0\n  " + p + "upperarm_{l|r} = 0.2 0.1 0\n   " + p +
+                             "lowerarm_{l|r} = 0.28 0 -0.02\n    " + p +
+                             "hand_{l|r} = 0.25 0 0.02\n " + p + "thigh_{l|r} = 0.1 -0.05 0\n  " +
+                             p + "calf_{l|r} = 0 -0.42 0.02\n   " + p +
+                             "foot_{l|r} = 0 -0.4 -0.02\n    " + p + "ball_{l|r} = 0 -0.08 0.1\n";
+    const MadeRig rig = rig_of(read_skeleton(text));
+    const std::array<std::string, 6> names = {p + "upperarm_{l|r}", p + "lowerarm_{l|r}",
+                                              p + "hand_{l|r}",     p + "thigh_{l|r}",
+                                              p + "calf_{l|r}",     p + "foot_{l|r}"};
+    expect_limbs(rig, {prefix,
+                       {names[0].c_str(), names[1].c_str(), names[2].c_str()},
+                       {names[3].c_str(), names[4].c_str(), names[5].c_str()},
+                       ""});
+    for (const Limb& limb : find_limbs(rig.model, rig.character()).limbs)
+      EXPECT_EQ(limb.why.rfind("names: ", 0), 0u) << limb.name << ": " << limb.why;
+  }
+}
+
 }  // namespace
 }  // namespace elbowroom::test
