@@ -24,7 +24,8 @@ bool is_of_limb(BonePart part) {
 }
 
 // The two bones that a joint between them would make of a limb, or not.
-constexpr double kLeastShare = 0.4;  // of the longer bone
+constexpr double kLeastShare = 0.6;      // of the longer bone
+constexpr double kBelowAClavicle = 0.4;  // the same, where the "shoulder" can be no clavicle
 
 // A bare "arm" that has neither an upper arm nor a forearm beside it. Below a "shoulder" it is the
 // forearm if it is the one joint between that and the hand, and lies like an elbow ("Shoulder",
@@ -49,7 +50,11 @@ bool is_lower_one(const NamedFigure& figure, const LimbFamily& family,
   }
   const double upper = figure.distance(root, plain.joint),
                lower = figure.distance(plain.joint, end);
-  return std::min(upper, lower) >= kLeastShare * std::max(upper, lower);
+  bool clavicle = false;
+  for (int j = figure.figure.parent(root); j >= 0 && !clavicle; j = figure.figure.parent(j))
+    clavicle = figure.name(j).part == BonePart::clavicle;
+  const double share = clavicle ? kBelowAClavicle : kLeastShare;
+  return std::min(upper, lower) >= share * std::max(upper, lower);
 }
 
 }  // namespace
