@@ -40,6 +40,7 @@ class Finder {
     take_shapes();
     settle_sides();
     drop_denied();
+    warn_of_left_behind();
     LimbFindings findings;
     for (const LimbKind kind : kKinds) {
       if (found_[slot(kind)]) {
@@ -245,6 +246,27 @@ class Finder {
     }
   }
 
+  void warn_of_left_behind() {
+    for (const LimbKind kind : kKinds) {
+      if (!found_[slot(kind)]) continue;
+      std::vector<std::string>& warnings = limb_warnings_[slot(kind)];
+      std::vector<int> behind = left_behind(figure_, *found_[slot(kind)]);
+      std::erase_if(behind, [&](int joint) {  // those already spoken of
+        return std::any_of(warnings.begin(), warnings.end(), [&](const auto& warning) {
+          return warning.find(quoted(joint)) != std::string::npos;
+        });
+      });
+      if (behind.empty()) continue;
+      const int parent = figure_.parent(behind.front());
+      const std::string from = parent < 0 ? " free" : " from " + quoted(parent);
+      const std::string more = " and " + std::to_string(behind.size() - 1) + " more";
+      warnings.push_back(quoted(behind.front()) +
+                         (behind.size() == 1 ? " belongs to it by its place but hangs"
+                                             : more + " belong to it by their place but hang") +
+                         from + ", and will not follow it");
+    }
+  }
+
   // What can be done about a limb that is not found.
   std::string advice(LimbKind kind) const {
     const auto set = overrides_.find(limb_id(kind));
@@ -285,11 +307,6 @@ class Finder {
     limb.why = why;
     complete_limb(figure_, limb);
     limb.named_side = true;
-    for (const int joint : left_behind(figure_, limb)) {
-      const int parent = figure_.parent(joint);
-      limb_warnings_[slot(kind)].push_back(quoted(joint) + " lies along it but hangs from " +
-                                           quoted(parent) + ", and will not follow it");
-    }
     found_[slot(kind)] = limb;
   }
 

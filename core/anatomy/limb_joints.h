@@ -15,9 +15,10 @@ namespace elbowroom {
 // pivots), that node is the limb's.
 void complete_limb(const BoundFigure& figure, Limb& limb);
 
-// Joints with skin of their own that lie along the limb's upper bone but hang from what its root
-// hangs from (3ds Max and Valve hang upper arms' twist joints from the clavicle): they will not
-// follow the limb. Parents first.
+// Joints that move skin and will not follow the limb, though they belong to it by their place:
+// those along its upper bone that hang from what its root hangs from (3ds Max and Valve hang upper
+// arms' twist joints from the clavicle), and those in its middle's or its end's place that hang
+// from elsewhere (the skeleton of a garment). Parents first; below one, others are not listed.
 std::vector<int> left_behind(const BoundFigure& figure, const Limb& limb);
 
 // A joint's name in quotes, or its node index.

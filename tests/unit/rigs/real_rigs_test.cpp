@@ -165,6 +165,25 @@ root = 0 0 0 -
             "the limb, and will not follow it");
 }
 
+// A garment's own skeleton, joint on joint with the body's: it is said to stay behind.
+TEST(RealRigs, AGarmentsSkeletonIsWarnedOf) {
+  const RealSkeleton skeleton = real_skeletons().front();
+  std::vector<WrittenJoint> joints = read_skeleton(skeleton.text);
+  const auto count = static_cast<int>(joints.size());
+  for (int i = 0; i < count; ++i) {
+    WrittenJoint joint = joints[static_cast<std::size_t>(i)];
+    joint.parent = joint.parent < 0 ? 0 : joint.parent + count;
+    joint.name = "shirt " + std::to_string(i);
+    joints.push_back(joint);
+  }
+  const MadeRig rig = rig_of(joints);
+  const LimbFindings findings = find_limbs(rig.model, rig.character());
+  ASSERT_EQ(findings.limbs.size(), 4u);
+  ASSERT_EQ(findings.warnings.size(), 4u);
+  for (const std::string& warning : findings.warnings)
+    EXPECT_NE(warning.find("by its place but hangs from"), std::string::npos) << warning;
+}
+
 // Prefixes that mean parts of a body, or that would make helpers of all joints; joints' paths.
 TEST(RealRigs, PrefixesAndPaths) {
   for (const char* prefix :
