@@ -93,7 +93,9 @@ std::vector<int> left_behind(const BoundFigure& figure, const Limb& limb) {
   const Vec3 end = figure.place(limb.end), bone = middle - root;
   const double length = glm::length(bone), near = kSamePlace * (length + glm::length(end - middle));
   std::vector<int> behind;
+  constexpr std::size_t kMost = 200;  // more is no garment
   for (const int joint : skeleton.order) {
+    if (behind.size() >= kMost) break;
     if (!is_skin_joint(figure.character, joint) || !moves_skin_itself(figure, joint) ||
         skeleton.is_within(joint, limb.root) || skeleton.is_within(limb.root, joint))
       continue;
