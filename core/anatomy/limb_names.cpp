@@ -219,10 +219,12 @@ BoneName read_bone_name(const std::string& name, const std::set<std::string>& ha
     }
   }
   if (left != right) result.side = left ? BoneSide::left : BoneSide::right;
-  if (finger) {
-    result.part = BonePart::finger;
-  } else if (toe) {
+  // A toe may be called the leg's digit or the foot's index.
+  const bool of_leg = has.count("leg") + has.count("legs") + has.count("foot") > 0;
+  if (toe || (finger && of_leg)) {
     result.part = BonePart::toe;
+  } else if (finger) {
+    result.part = BonePart::finger;
   } else {
     result.part = part_of(has);
   }

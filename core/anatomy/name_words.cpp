@@ -157,7 +157,7 @@ const std::map<std::string, NameWord, std::less<>>& name_words() {
          "skin",      "cc",    "base",     "rig",   "char",        "character", "bend",
          "stretch",   "b",     "j",        "sk",    "valvebiped",  "main",      "fbx",
          "no",        "rot",   "rotation", "trans", "translation", "pre",       "node",
-         "o",         "mesh"});
+         "o",         "mesh",  "d",        "ex"});
     return map;
   }();
   return words;

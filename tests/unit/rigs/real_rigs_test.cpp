@@ -53,8 +53,11 @@ TEST(RealRigs, LimbsOfSkeletons) {
       SCOPED_TRACE(skeleton.name);
       const MadeRig rig = rig_of(read_skeleton(skeleton.text), placement);
       expect_limbs(rig, skeleton);
-      for (const Limb& limb : find_limbs(rig.model, rig.character()).limbs)
+      const LimbFindings findings = find_limbs(rig.model, rig.character());
+      for (const Limb& limb : findings.limbs)
         EXPECT_EQ(limb.why.rfind("names: ", 0), 0u) << limb.why;
+      const std::size_t not_found = 4 - findings.limbs.size();
+      EXPECT_EQ(findings.warnings.size(), not_found + skeleton.warnings);
     }
   }
 }
@@ -118,8 +121,10 @@ TEST(RealRigs, LimbsByWhatJointsAreCalled) {
                                    {names.thigh, names.shin, names.foot},
                                    ""};
     expect_limbs(rig, expected);
-    for (const Limb& limb : find_limbs(rig.model, rig.character()).limbs)
+    const LimbFindings findings = find_limbs(rig.model, rig.character());
+    for (const Limb& limb : findings.limbs)
       EXPECT_EQ(limb.why.rfind("names: ", 0), 0u) << limb.name << ": " << limb.why;
+    for (const std::string& warning : findings.warnings) ADD_FAILURE() << warning;
   }
 }
 

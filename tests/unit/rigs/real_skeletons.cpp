@@ -180,6 +180,102 @@ ValveBiped.Bip01 = 0 0.962 0
      ValveBiped.Bip01_{L|R}_Toe0 = 0.03 -0.095 0.125
  ValveBiped.{l|r}_upperarm_twist = 0 0 0
  ValveBiped.{l|r}_shoulder_joint = 0 0 0
+)",
+                 Vec3(0, 0, 1),
+                 2});
+
+  // A VRM 0 file made from a MikuMikuDance model, as a chat program's rules for it list its bones:
+  // faces -z, legs are the D bones, below a knee hangs a copy of the leg. Where the hips' own
+  // offsets are not told they are ours.
+  all.push_back({"VRM from MikuMikuDance",
+                 {"joint_{Left|Right}Arm", "joint_{Left|Right}Elbow", "joint_{Left|Right}Wrist"},
+                 {"joint_{Left|Right}HipD", "joint_{Left|Right}KneeD", "joint_{Left|Right}FootD"},
+                 R"(
+joint_HipMaster = 0 1.03 0.01
+ !joint_HipMasterTip = 0 -0.12 0 -
+ joint_Torso = 0 0 0
+  joint_Torso1 = 0 0.11 -0.01
+  joint_Torso2 = 0 0.2 -0.02
+   joint_Neck = 0 0.24 0.02
+    joint_Head = 0 0.08 -0.02
+   joint_{Left|Right}Shoulder = -0.03 0.17 0.06
+    !joint_{Left|Right}ShoulderC = -0.08 0 0 -
+    joint_{Left|Right}Arm = -0.08 0 0
+     joint_{Left|Right}ArmTwist = -0.14 -0.01 0
+     joint_{Left|Right}ArmTwist1 = -0.08 0 0
+     joint_{Left|Right}ArmTwist2 = -0.13 -0.01 0
+     joint_{Left|Right}ArmTwist3 = -0.18 -0.01 0
+     joint_{Left|Right}Elbow = -0.24 -0.01 0
+      joint_{Left|Right}Wrist = -0.24 0 0
+       joint_{Left|Right}Thumb0 = 0.01 0 0
+       joint_{Left|Right}Index1 = -0.06 -0.01 -0.03
+        joint_{Left|Right}Index2 = -0.03 0 0
+       joint_{Left|Right}Middle1 = -0.06 -0.01 -0.02
+        joint_{Left|Right}Middle2 = -0.04 0 0
+       joint_{Left|Right}Ring1 = -0.06 -0.01 0
+        joint_{Left|Right}Ring2 = -0.03 0 0
+       !joint_{Left|Right}Thumb0M = -0.01 -0.01 -0.02
+        joint_{Left|Right}Thumb1 = -0.01 -0.01 -0.02
+ joint_{Left|Right}HipD = -0.09 -0.1 0.01
+  joint_{Left|Right}KneeD = 0 -0.43 0.01
+   !joint_{Left|Right}Hip = 0 0.43 -0.01 -
+    !joint_{Left|Right}Knee = -0.01 -0.43 0.02 -
+     !joint_{Left|Right}Foot = -0.01 -0.41 0.05 -
+   joint_{Left|Right}FootD = 0.01 -0.41 0.05
+    joint_{hidari|migi}ashisakiEX = 0 -0.08 -0.12
+)",
+                 Vec3(0, 0, -1)});
+
+  // Second Life, avatar_skeleton.xml of its viewers: collision volumes, which clothes are skinned
+  // to, bear the names of limbs beside the joints; turned to y up and +z forward.
+  all.push_back({"Second Life",
+                 {"mShoulder{Left|Right}", "mElbow{Left|Right}", "mWrist{Left|Right}"},
+                 {"mHip{Left|Right}", "mKnee{Left|Right}", "mAnkle{Left|Right}"},
+                 R"(
+mPelvis = 0 1.067 0
+ PELVIS = 0 -0.02 -0.01
+ mTorso = 0 0.084 0
+  BELLY = 0 0.04 0.028
+  mChest = 0 0.205 -0.015
+   CHEST = 0 0.07 0.028
+   mNeck = 0 0.251 -0.01
+    NECK = 0 0.02 0
+    mHead = 0 0.076 0
+     HEAD = 0 0.07 0.02
+     mSkull = 0 0.079 0
+     mEye{Left|Right} = 0.036 0.079 0.098
+   mCollarLeft = 0.085 0.165 -0.021
+    L_CLAVICLE = 0 0.02 0.02
+    mShoulderLeft = 0.079 0 0
+     L_UPPER_ARM = 0.12 0.01 0
+     mElbowLeft = 0.248 0 0
+      L_LOWER_ARM = 0.1 0 0
+      mWristLeft = 0.205 0 0
+       L_HAND = 0.05 0 0.01
+   mCollarRight = -0.085 0.165 -0.021
+    R_CLAVICLE = 0 0.02 0.02
+    mShoulderRight = -0.079 0 0
+     R_UPPER_ARM = -0.12 0.01 0
+     mElbowRight = -0.248 0 0
+      R_LOWER_ARM = -0.1 0 0
+      mWristRight = -0.205 0 0
+       R_HAND = -0.05 0 0.01
+ mHipRight = -0.129 -0.041 0.034
+  R_UPPER_LEG = 0.05 -0.22 -0.02
+  mKneeRight = 0.049 -0.491 -0.001
+   R_LOWER_LEG = 0 -0.2 -0.02
+   mAnkleRight = 0 -0.468 -0.029
+    R_FOOT = 0 -0.041 0.077
+    mFootRight = 0 -0.061 0.112
+     mToeRight = 0 0 0.109
+ mHipLeft = 0.127 -0.041 0.034
+  L_UPPER_LEG = -0.05 -0.22 -0.02
+  mKneeLeft = -0.046 -0.491 -0.001
+   L_LOWER_LEG = 0 -0.2 -0.02
+   mAnkleLeft = 0.001 -0.468 -0.029
+    L_FOOT = 0 -0.041 0.077
+    mFootLeft = 0 -0.061 0.112
+     mToeLeft = 0 0 0.109
 )"});
 
   // BabylonJS/Assets, meshes/Yeti/Unity/YetiUnity.gltf: faces -z, bound asymmetrically, its forearm
