@@ -147,8 +147,8 @@ const std::map<std::string, NameWord, std::less<>>& name_words() {
          "aim",    "goal",     "locator", "hint",       "handle",  "driver",     "jiggle",
          "muscle", "tracker",  "share",   "corrective", "assimp",  "dummy",      "cancel",
          "pivot",  "proxy",    "sleeve",  "skirt",      "cloth",   "armor",      "armour",
-         "solver", "hlp",      "assist",  "adj",        "holder",  "platform",   "sec",
-         "ikfk"});
+         "solver", "hlp",      "ref",     "assist",     "adj",     "holder",     "platform",
+         "sec",    "ikfk"});
     add(NameWord::copy, {"org"});
     add(NameWord::end_marker, {"end", "nub", "tip"});
     add(NameWord::noise,

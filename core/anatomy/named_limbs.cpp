@@ -13,6 +13,7 @@ namespace elbowroom {
 namespace {
 
 constexpr double kLeastHalf = 0.15;  // of a bone: shorter is no half of it
+constexpr double kAlikeBones = 0.6;  // the shorter of two bones, of the longer
 constexpr double kRounding = 1e-6;
 
 struct Chain {
@@ -86,6 +87,17 @@ int root_above(const NamedFigure& figure, const LimbFamily& family,
   return -1;
 }
 
+// Where no joint is named an upper arm: one named a clavicle right above the forearm that is as
+// long as an upper arm.
+int misnamed_root(const NamedFigure& figure, const LimbFamily& family, int fore, int end) {
+  const int above = figure.figure.parent(fore);
+  if (!family.arm || end < 0 || above < 0 || !figure.is_member(above)) return -1;
+  const BoneName& name = figure.name(above);
+  if (name.part != BonePart::clavicle || name.helper) return -1;
+  const double upper = figure.distance(above, fore), lower = figure.distance(fore, end);
+  return std::min(upper, lower) >= kAlikeBones * std::max(upper, lower) ? above : -1;
+}
+
 // Limbs whose joints bear one name and a number ("arm_joint_L_1", "Leg02"): of the chain they form,
 // with a named end if there is one, the three joints with two long and equal bones between them.
 std::optional<Chain> numbered_chain(const NamedFigure& figure, const LimbFamily& family,
@@ -153,6 +165,13 @@ std::optional<Chain> named_chain(const NamedFigure& figure, const LimbFamily& fa
     chain.end = nearest_below(figure, candidates, family.end, fore.joint, several);
     chain.root = root_above(figure, family, candidates, fore.joint, chain.end);
     if (chain.root < 0) {
+      chain.root = misnamed_root(figure, family, fore.joint, chain.end);
+      if (chain.root >= 0) {
+        chain.remark = figure.quoted(chain.root) + ", named a clavicle, is the " +
+                       family.upper_word + " by its length";
+      }
+    }
+    if (chain.root < 0) {
       if (!best) {
         reason =
             "above " + figure.quoted(fore.joint) + " no joint is named as the " + family.upper_word;
@@ -170,11 +189,13 @@ std::optional<Chain> named_chain(const NamedFigure& figure, const LimbFamily& fa
         }
         continue;
       }
-      chain.remark = std::string("no joint below the ") + family.fore_word + " is named as the " +
-                     family.end_word + ", " + figure.quoted(chain.end) + " is nearest to one";
+      if (!chain.remark.empty()) chain.remark += "; ";
+      chain.remark += std::string("no joint below the ") + family.fore_word + " is named as the " +
+                      family.end_word + ", " + figure.quoted(chain.end) + " is nearest to one";
     } else if (several) {
-      chain.remark = "the " + std::string(family.end_word) + " is of several joints, " +
-                     figure.quoted(chain.end) + " stands for them";
+      if (!chain.remark.empty()) chain.remark += "; ";
+      chain.remark += "the " + std::string(family.end_word) + " is of several joints, " +
+                      figure.quoted(chain.end) + " stands for them";
     }
     if (figure.figure.carries(fore.joint)) ++score;
     if (score > best_score) {

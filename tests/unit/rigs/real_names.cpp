@@ -229,6 +229,9 @@ std::vector<JointNames> real_names() {
       {"Sides said once", "an artist's habit", "hips", "chest", "{Left|Right}Shoulder",
        "{Left|Right}UpperArm", "Elbow{| 1}", "Wrist{| 1}", "", "", "{Left|Right}Thigh", "Knee{| 1}",
        "Ankle{| 1}", ""},
+      {"Clavicle for upper arm", "Yellow-Dog-Man/Resonite-Issues, issue 775", "Hips", "Chest", "",
+       "{Left|Right}Clavicle", "{Left|Right}LowerArm", "{Left|Right}Hand", "", "",
+       "{Left|Right}UpperLeg", "{Left|Right}LowerLeg", "{Left|Right}Foot", ""},
   };
 }
 
