@@ -90,16 +90,13 @@ std::vector<BoneSide> sides_of(const NamedFigure& figure, std::array<bool, 2>& b
   std::vector<BoneSide> sides(figure.names.size(), BoneSide::none), of_limb = sides;
   for (const int joint : figure.members) {
     const auto j = static_cast<std::size_t>(joint);
-    sides[j] = figure.names[j].side;
-    // "LeftArm", "Elbow", "Wrist": the side is said once.
-    if (sides[j] == BoneSide::none && is_of_limb(figure.names[j].part)) {
-      const int parent = figure.figure.parent(joint);
-      if (parent >= 0) sides[j] = of_limb[static_cast<std::size_t>(parent)];
-    }
     const int parent = figure.figure.parent(joint);
-    of_limb[j] = is_of_limb(figure.names[j].part) ? sides[j]
-                 : parent >= 0                    ? of_limb[static_cast<std::size_t>(parent)]
-                                                  : BoneSide::none;
+    if (parent >= 0) of_limb[j] = of_limb[static_cast<std::size_t>(parent)];
+    sides[j] = figure.names[j].side;
+    if (!is_of_limb(figure.names[j].part)) continue;
+    // "LeftArm", "Elbow", "Wrist": the side is said once.
+    if (sides[j] == BoneSide::none) sides[j] = of_limb[j];
+    of_limb[j] = sides[j];
   }
   for (std::size_t f = 0; f < kLimbFamilies.size(); ++f) {
     const LimbFamily& family = kLimbFamilies[f];
@@ -134,7 +131,6 @@ std::vector<BoneSide> sides_of(const NamedFigure& figure, std::array<bool, 2>& b
   return sides;
 }
 
-// The joints of one family on one side; of each part those of the highest rank.
 std::vector<LimbCandidate> candidates_of(const NamedFigure& figure, const LimbFamily& family,
                                          BoneSide side, const std::vector<BoneSide>& sides) {
   std::vector<LimbCandidate> all;
