@@ -24,8 +24,21 @@ constexpr double kLongAbove = 0.6, kLongAboveCost = 2.0;
 constexpr double kLongBeyond = 1.2, kLongBeyondCost = 1.5;
 constexpr double kShoulders = 0.3, kShouldersCost = 1.2;  // breadth, of an arm's length
 constexpr double kForkHere = -0.3, kForkBelow = 0.5, kForkAbove = 0.6;
+constexpr double kAbove = 0.4, kHipPiece = 0.15;
+constexpr double kHipPieceLength = 0.15, kHipPieceAslant = 35 * kDegree;
+constexpr double kShortEnd = 0.45, kPalm = 0.2;
 constexpr double kAnkleTurn = 35 * kDegree, kAnkleBonus = -0.3;
 constexpr double kBends = 20 * kDegree, kStill = 4 * kDegree;
+
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+bool is_hip_piece(const Vec3& hip, const Vec3& thigh, const Vec3& knee) {
+  const Vec3 piece = thigh - hip, bone = knee - thigh;
+  return glm::length(piece) < kHipPieceLength * glm::length(bone) &&
+         angle_between(piece, bone) > kHipPieceAslant;
+}
 
 double log_ratio(double a, double b) { return std::abs(std::log(a / b)); }
 
@@ -102,17 +115,19 @@ ShapedChain ChainShapes::follow(int joint) const {
       // Several joints in one place, as rigs without a wrist have them: that with most below it,
       // the first one of equals in the file's order.
       const double bone = glm::distance(figure_.place(next), figure_.place(joint));
+      const double same = std::max(kTogether * bone, kSamePlace * extent(next));
       int together = -1;
       int count = 0;
       for (const int other : below(joint)) {
-        if (glm::distance(figure_.place(other), figure_.place(next)) > kTogether * bone) continue;
+        if (!figure_.carries(other)) continue;  // sockets and targets stand anywhere
+        if (glm::distance(figure_.place(other), figure_.place(next)) > same) continue;
         ++count;
         if (together < 0 || weight_[static_cast<std::size_t>(other)] >
                                 weight_[static_cast<std::size_t>(together)]) {
           together = other;
         }
       }
-      if (count >= 2 && bone > 0) {
+      if (count >= 2 && bone > same) {
         // Where they stand is where the limb forks.
         add(chain, together);
         fork = true;
@@ -120,6 +135,8 @@ ShapedChain ChainShapes::follow(int joint) const {
         next = on.empty() ? -1 : *std::max_element(on.begin(), on.end(), [&](int a, int b) {
           return extent(a) < extent(b);
         });
+      } else if (count >= 2) {
+        fork = true;  // they stand where this one does
       }
     }
     if (fork) chain.forks.back() = 1;
@@ -204,19 +221,27 @@ std::vector<ChainFit> ChainShapes::fits(const ShapedChain& chain, const ShapedCh
         const double above = (chain.beyond.front() - chain.beyond[i]) / length;
         cost += kLongAboveCost * std::max(0.0, above - (arm ? kLongAbove : 0.1));
         const std::size_t usual = arm ? 1 : 0;
-        if (i > usual) cost += 0.4 * static_cast<double>(i - usual);
+        if (i > usual) cost += kAbove * static_cast<double>(i - usual);
+        // A short piece aslant before the thigh is of the hips.
+        if (!arm && i == 1 && is_hip_piece(place[0], place[1], place[j]))
+          cost -= kAbove - kHipPiece;
         // Beyond the end: a hand or a foot.
         const double beyond = chain.beyond[k] / fit.lower;
         cost += kLongBeyondCost * std::max(0.0, beyond - kLongBeyond);
-        if (fork < chain.forks.size()) {
+        // A foot is what lies between the ankle and where the toes fork; a palm may lie between the
+        // wrist and where the fingers do.
+        const bool short_end = fork < chain.forks.size() && k + 1 == fork &&
+                               glm::distance(place[k], place[fork]) < kShortEnd * fit.lower;
+        if (short_end) {
+          cost += arm ? kPalm : kForkHere;
+        } else if (fork < chain.forks.size()) {
           if (k == fork) cost += kForkHere;
           if (k < fork) cost += kForkBelow * static_cast<double>(fork - k);
           if (k > fork) cost += kForkAbove * static_cast<double>(k - fork);
         }
         if (!arm && k + 1 < chain.joints.size()) {
           const Vec3 shin = place[k] - place[j], foot = place[k + 1] - place[k];
-          const double turn = std::atan2(glm::length(glm::cross(shin, foot)), glm::dot(shin, foot));
-          if (turn > kAnkleTurn && glm::length(foot) > 0) cost += kAnkleBonus;
+          if (angle_between(shin, foot) > kAnkleTurn && glm::length(foot) > 0) cost += kAnkleBonus;
         }
         if (arm && other != nullptr && i < other->joints.size()) {
           const double breadth = glm::distance(place[i], figure_.place(other->joints[i])) / length;

@@ -40,6 +40,7 @@ class Finder {
     take_shapes();
     settle_sides();
     drop_denied();
+    warn_of_left_behind();
     LimbFindings findings;
     for (const LimbKind kind : kKinds) {
       if (found_[slot(kind)]) {
@@ -48,7 +49,7 @@ class Finder {
           findings.warnings.push_back(std::string(limb_id(kind)) + ": " + warning);
       } else {
         findings.warnings.push_back(std::string(limb_id(kind)) +
-                                    " not found: " + reasons_[slot(kind)]);
+                                    " not found: " + reasons_[slot(kind)] + advice(kind));
       }
     }
     for (const Limb& chain : chains_) findings.limbs.push_back(chain);
@@ -243,6 +244,35 @@ class Finder {
                                             : "; the side by where it stands, facing +z";
       }
     }
+  }
+
+  void warn_of_left_behind() {
+    for (const LimbKind kind : kKinds) {
+      if (!found_[slot(kind)]) continue;
+      std::vector<std::string>& warnings = limb_warnings_[slot(kind)];
+      std::vector<int> behind = left_behind(figure_, *found_[slot(kind)]);
+      std::erase_if(behind, [&](int joint) {  // those already spoken of
+        return std::any_of(warnings.begin(), warnings.end(), [&](const auto& warning) {
+          return warning.find(quoted(joint)) != std::string::npos;
+        });
+      });
+      if (behind.empty()) continue;
+      const int parent = figure_.parent(behind.front());
+      const std::string from = parent < 0 ? " free" : " from " + quoted(parent);
+      const std::string more = " and " + std::to_string(behind.size() - 1) + " more";
+      warnings.push_back(quoted(behind.front()) +
+                         (behind.size() == 1 ? " belongs to it by its place but hangs"
+                                             : more + " belong to it by their place but hang") +
+                         from + ", and will not follow it");
+    }
+  }
+
+  // What can be done about a limb that is not found.
+  std::string advice(LimbKind kind) const {
+    const auto set = overrides_.find(limb_id(kind));
+    if (set != overrides_.end() && set->second.none()) return "";
+    return std::string("; if it has one, name its joints: \"limbs\": {\"") + limb_id(kind) +
+           "\": [from, middle, to]} in a project file, or the editor's \"Joints of the limbs\"";
   }
 
   // What was said to be no limb is found first, for it tells the sides of the others.

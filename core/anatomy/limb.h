@@ -37,8 +37,9 @@ struct Limb {
 
 struct LimbFindings {
   std::vector<Limb> limbs;            // at most one of each kind
-  std::vector<std::string> warnings;  // one for each limb not found, with the reason; and what is
-                                      // odd about those found
+  std::vector<std::string> warnings;  // one for each limb not found, with the reason and what can
+                                      // be done; and what is odd about those found: joints that
+                                      // will not follow a limb though they belong to it
 };
 
 // What an animator says that a limb goes from and to, by joint names (or node indices): of an arm

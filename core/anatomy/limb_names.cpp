@@ -5,207 +5,41 @@
 #include <array>
 #include <cctype>
 #include <map>
+#include <sstream>
 #include <string_view>
+
+#include "core/anatomy/name_words.h"
 
 namespace elbowroom {
 namespace {
 
-enum class Word { side_left, side_right, part, finger, toe, helper, copy, end_marker, noise };
-
-const std::map<std::string, Word, std::less<>>& vocabulary() {
-  static const std::map<std::string, Word, std::less<>> words = [] {
-    std::map<std::string, Word, std::less<>> map;
-    const auto add = [&](Word kind, std::initializer_list<const char*> list) {
-      for (const char* word : list) map.emplace(word, kind);
-    };
-    add(Word::side_left, {"left"});
-    add(Word::side_right, {"right"});
-    add(Word::part,
-        {"upper",   "up",      "upr",      "lower",  "low",      "lo",     "lwr",    "fore",
-         "arm",     "arms",    "leg",      "legs",   "hand",     "wrist",  "elbow",  "thigh",
-         "shin",    "calf",    "knee",     "foot",   "feet",     "ankle",  "bicep",  "biceps",
-         "femur",   "tibia",   "shoulder", "shldr",  "clavicle", "clav",   "collar", "collarbone",
-         "scapula", "humerus", "ulna",     "hip",    "hips",     "pelvis", "palm",   "radius",
-         "fibula",  "down",    "dn",       "forearm"});
-    // German, French, Spanish, Italian, Portuguese.
-    add(Word::part,
-        {"oberarm",     "unterarm",    "ellenbogen", "handgelenk", "oberschenkel", "unterschenkel",
-         "knie",        "fuss",        "knoechel",   "bras",       "avantbras",    "coude",
-         "poignet",     "cuisse",      "jambe",      "genou",      "cheville",     "pied",
-         "brazo",       "antebrazo",   "codo",       "mano",       "muneca",       "muslo",
-         "pierna",      "pantorrilla", "rodilla",    "pie",        "tobillo",      "braccio",
-         "avambraccio", "gomito",      "polso",      "coscia",     "gamba",        "ginocchio",
-         "piede",       "caviglia",    "braco",      "antebraco",  "cotovelo",     "coxa",
-         "perna",       "joelho",      "tornozelo"});
-    add(Word::side_left, {"links", "linker", "linkes", "linke", "gauche", "izquierda", "izquierdo",
-                          "izq", "sinistra", "sinistro", "esquerda", "esquerdo", "hidari"});
-    add(Word::side_right, {"rechts", "rechter", "rechtes", "rechte", "droite", "droit", "derecha",
-                           "derecho", "destra", "destro", "direita", "direito", "migi"});
-    add(Word::finger, {"daumen", "pouce", "pulgar", "pollice", "polegar", "doigt", "dedo"});
-    add(Word::finger, {"finger", "fingers", "thumb", "index", "middle", "ring", "pinky", "pinkie",
-                       "little", "metacarpal", "carpal", "knuckle"});
-    add(Word::toe, {"toe", "toes", "toebase", "ball", "heel"});
-    add(Word::helper,
-        {"ik",       "fk",     "ctrl",   "ctl",    "control", "controller", "cntrl",
-         "pole",     "target", "orient", "twist",  "roll",    "helper",     "tweak",
-         "effector", "eff",    "socket", "attach", "slot",    "prop",       "weapon",
-         "mch",      "pv",     "pt",     "aux",    "aim",     "goal",       "locator",
-         "hint",     "handle", "driver", "jiggle", "muscle",  "tracker",    "corrective",
-         "share",    "assimp", "dummy",  "cancel", "pivot",   "proxy",      "sleeve",
-         "skirt",    "cloth",  "armor",  "armour"});
-    add(Word::copy, {"org"});
-    add(Word::end_marker, {"end", "nub", "tip"});
-    add(Word::noise,
-        {"mixamorig", "bip",   "biped",    "def",   "deform",      "armature",  "skeleton",
-         "skel",      "joint", "jnt",      "jt",    "bone",        "bn",        "bind",
-         "skin",      "cc",    "base",     "rig",   "char",        "character", "bend",
-         "stretch",   "b",     "j",        "sk",    "valvebiped",  "main",      "fbx",
-         "no",        "rot",   "rotation", "trans", "translation", "pre",       "node",
-         "o",         "mesh"});
-    return map;
-  }();
-  return words;
-}
-
 // Sides in short; only where they stand alone or at an end of a compound.
-Word short_side(std::string_view word, bool& is_side) {
+NameWord short_side(std::string_view word, bool& is_side) {
   is_side = true;
-  if (word == "l" || word == "lf" || word == "lft" || word == "lt") return Word::side_left;
-  if (word == "r" || word == "rt" || word == "rgt") return Word::side_right;
+  for (const char* left : {"l", "lf", "lft", "lt", "Л", "л"}) {
+    if (word == left) return NameWord::side_left;
+  }
+  for (const char* right : {"r", "rf", "rt", "rgt", "П", "п"}) {
+    if (word == right) return NameWord::side_right;
+  }
   is_side = false;
-  return Word::noise;
+  return NameWord::noise;
 }
 
 bool is_lower(unsigned char c) { return std::islower(c) != 0 || c >= 0x80; }
 bool is_upper(unsigned char c) { return std::isupper(c) != 0; }
 bool is_letter(unsigned char c) { return is_lower(c) || is_upper(c); }
 
-int hex_digit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return -1;
-}
-
-// Words of the scripts that don't separate words, and of those that our tokens don't hold, with
-// what they mean; longer ones before those they contain. MikuMikuDance's own names first: 腕 is the
-// upper arm there, 足 the thigh, D bones are the ones that move the skin.
-struct Foreign {
-  const char* word;
-  const char* meaning;
-};
-constexpr Foreign kForeign[] = {
-    {"左", " left "},
-    {"右", " right "},
-    {"親指", " thumb "},
-    {"人差指", " index "},
-    {"人指", " index "},
-    {"中指", " middle "},
-    {"薬指", " ring "},
-    {"小指", " pinky "},
-    {"指", " finger "},
-    {"手首", " wrist "},
-    {"足首", " ankle "},
-    {"足先", " toe "},
-    {"つま先", " toe "},
-    {"爪先", " toe "},
-    {"腕捩", " arm twist "},
-    {"手捩", " hand twist "},
-    {"捩", " twist "},
-    {"捻", " twist "},
-    {"肩", " shoulder "},
-    {"ひじ", " elbow "},
-    {"肘", " elbow "},
-    {"ひざ", " knee "},
-    {"膝", " knee "},
-    {"前腕", " lower arm "},
-    {"上腕", " upper arm "},
-    {"腕", " upper arm "},
-    {"太もも", " thigh "},
-    {"大腿", " thigh "},
-    {"小腿", " shin "},
-    {"大臂", " upper arm "},
-    {"上臂", " upper arm "},
-    {"小臂", " lower arm "},
-    {"前臂", " lower arm "},
-    {"脚踝", " ankle "},
-    {"脚趾", " toe "},
-    {"脚", " foot "},
-    {"足", " upper leg "},
-    {"手", " hand "},
-    {"袖", " sleeve "},
-    {"親", " helper "},
-    {"ダミー", " dummy "},
-    {"キャンセル", " cancel "},
-    {"先", " end "},
-    {"\xef\xbc\xa9\xef\xbc\xab", " ik "},  // full-width letters
-    {"왼쪽", " left "},
-    {"왼", " left "},
-    {"오른쪽", " right "},
-    {"오른", " right "},
-    {"ß", "ss"},
-    {"ö", "oe"},
-    {"ç", "c"},
-    {"ñ", "n"},
-    {"ã", "a"},
-    {"é", "e"},
-    {"avant-bras", "avantbras"},
-    {"Avant-bras", "avantbras"},
-    {"Avant-Bras", "avantbras"},
-};
-
-// A name as its artist wrote it: %2E, FBXASC046 and the like are characters again, and words of
-// other scripts are ours.
-std::string plain_name(const std::string& text) {
-  std::string plain;
-  bool ascii = true;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    ascii = ascii && static_cast<unsigned char>(c) < 0x80;
-    if (c == '%' && i + 2 < text.size() && hex_digit(text[i + 1]) >= 0 &&
-        hex_digit(text[i + 2]) >= 0) {
-      const int code = 16 * hex_digit(text[i + 1]) + hex_digit(text[i + 2]);
-      plain += static_cast<char>(code);
-      ascii = ascii && code < 0x80;
-      i += 2;
-      continue;
-    }
-    constexpr std::string_view kAutodesk = "FBXASC";
-    if (c == 'F' && text.compare(i, kAutodesk.size(), kAutodesk) == 0 && i + 9 <= text.size()) {
-      int code = 0;
-      bool digits = true;
-      for (std::size_t k = i + 6; k < i + 9; ++k) {
-        digits = digits && std::isdigit(static_cast<unsigned char>(text[k])) != 0;
-        code = 10 * code + (text[k] - '0');
-      }
-      if (digits && code < 256) {
-        plain += static_cast<char>(code);
-        i += 8;
-        continue;
-      }
-    }
-    plain += c;
-  }
-  const bool french = plain.find("vant-") != std::string::npos;
-  if (ascii && !french) return plain;
-  constexpr std::size_t kLongest = 300;  // bytes; more is no name
-  if (plain.size() > kLongest) return plain;
-  for (const auto& [word, meaning] : kForeign) {
-    const std::size_t length = std::string_view(word).size();
-    for (std::size_t at = plain.find(word); at != std::string::npos; at = plain.find(word, at)) {
-      plain.replace(at, length, meaning);
-      at += std::string_view(meaning).size();
-    }
-  }
-  return plain;
-}
-
 // Lower-case words between separators, digits and capitals. A namespace (up to the last ':' or '|')
-// is dropped.
+// is dropped, and so are the folders of a path ("root/hips/thigh_l").
 std::vector<std::string> split(const std::string& text) {
   const std::string name = plain_name(text);
   const std::size_t colon = name.find_last_of(":|");
-  const std::size_t start = colon == std::string::npos || colon + 1 == name.size() ? 0 : colon + 1;
+  std::size_t start = colon == std::string::npos || colon + 1 == name.size() ? 0 : colon + 1;
+  const std::size_t slash = name.find_last_of('/');
+  constexpr std::size_t kShortest = 3;  // less is a side: "arm/L"
+  if (slash != std::string::npos && slash > start && name.size() - slash > kShortest)
+    start = slash + 1;
   std::vector<std::string> tokens;
   std::string token;
   const auto flush = [&] {
@@ -218,11 +52,20 @@ std::vector<std::string> split(const std::string& text) {
       flush();
       continue;
     }
+    const auto lower_at = [&](std::size_t k) {
+      return k < name.size() && is_lower(static_cast<unsigned char>(name[k]));
+    };
+    // A side that lost its separator behind capitals: "heelIKl".
+    const auto side_at = [&](std::size_t k) {
+      return k < name.size() && (name[k] == 'l' || name[k] == 'r') && !lower_at(k + 1);
+    };
+    const auto upper_at = [&](std::size_t k) {
+      return is_upper(static_cast<unsigned char>(name[k]));
+    };
     if (!token.empty() && is_upper(c)) {
-      const bool after_lower = is_lower(static_cast<unsigned char>(name[i - 1]));
-      const bool before_lower =
-          i + 1 < name.size() && is_lower(static_cast<unsigned char>(name[i + 1]));
-      if (after_lower || before_lower) flush();
+      if (lower_at(i - 1) || (lower_at(i + 1) && !side_at(i + 1))) flush();
+    } else if (token.size() >= 2 && side_at(i) && upper_at(i - 1) && upper_at(i - 2)) {
+      flush();
     }
     token += static_cast<char>(is_upper(c) ? std::tolower(c) : c);
   }
@@ -235,7 +78,8 @@ std::vector<std::string> split(const std::string& text) {
 std::vector<std::string> cut_compound(const std::string& token, bool with_letter = false) {
   constexpr std::size_t kLongest = 40;
   if (token.size() > kLongest) return {};
-  const auto& words = vocabulary();
+  const auto& words = name_words();
+  const auto& translated = translated_words();
   // By whether the letter is used up.
   std::array<std::vector<std::vector<std::string>>, 2> best;
   std::array<std::vector<char>, 2> reached;
@@ -248,7 +92,9 @@ std::vector<std::string> cut_compound(const std::string& token, bool with_letter
     for (std::size_t begin = 0; begin < end; ++begin) {
       const std::string word = token.substr(begin, end - begin);
       // One letter says too little inside a compound, and a noise word proves nothing there.
-      const bool known = word.size() >= 2 && words.count(word) != 0;
+      // Nor do the shortest words of other languages.
+      const bool known = (word.size() >= 2 && words.count(word) != 0) ||
+                         (word.size() >= 4 && translated.count(word) != 0);
       const bool letter = with_letter && (word == "l" || word == "r");
       if (!known && !letter) continue;
       for (const std::size_t used : {0u, 1u}) {
@@ -265,17 +111,38 @@ std::vector<std::string> cut_compound(const std::string& token, bool with_letter
   return best[1][token.size()];
 }
 
+// A word in English: itself, or what it means.
+void add_meaning(const std::string& word, std::vector<std::string>& words) {
+  const auto found = translated_words().find(word);
+  if (found == translated_words().end()) {
+    words.push_back(word);
+    return;
+  }
+  std::istringstream meaning(found->second);
+  for (std::string part; meaning >> part;) words.push_back(part);
+}
+
 // The words of one token: known ones, else the token itself.
 std::vector<std::string> words_of(const std::string& token) {
+  std::vector<std::string> words;
   bool side = false;
   short_side(token, side);
-  if (side || vocabulary().count(token) != 0) return {token};
+  if (side || name_words().count(token) != 0) return {token};
+  if (translated_words().count(token) != 0) {
+    add_meaning(token, words);
+    return words;
+  }
+  // "LUArm", a side and an upper one.
+  if (token == "lu" || token == "ru") return {token.substr(0, 1), "upper"};
   std::vector<std::string> cut = cut_compound(token);
-  if (!cut.empty()) return cut;
   // With a side's letter: "lthigh", "upperarml", "biplupperarm".
-  if (token.size() > 3) cut = cut_compound(token, true);
-  if (cut.size() >= 2) return cut;
-  return {token};
+  if (cut.empty() && token.size() > 3) {
+    cut = cut_compound(token, true);
+    if (cut.size() < 2) cut.clear();
+  }
+  if (cut.empty()) return {token};
+  for (const std::string& word : cut) add_meaning(word, words);
+  return words;
 }
 
 BonePart part_of(const std::set<std::string>& has) {
@@ -288,24 +155,14 @@ BonePart part_of(const std::set<std::string>& has) {
   const bool arm = any({"arm", "arms"});
   const bool leg = any({"leg", "legs"});
   if (any({"clavicle", "clav", "collar", "collarbone", "scapula"})) return BonePart::clavicle;
-  if (any({"hand", "wrist", "palm", "handgelenk", "poignet", "mano", "muneca", "polso"}))
-    return BonePart::hand;
-  if (any({"foot", "feet", "ankle", "fuss", "knoechel", "pied", "cheville", "pie", "tobillo",
-           "piede", "caviglia", "tornozelo"}))
-    return BonePart::foot;
-  if ((arm && lower) ||
-      any({"forearm", "elbow", "ulna", "radius", "unterarm", "ellenbogen", "avantbras", "coude",
-           "antebrazo", "codo", "avambraccio", "gomito", "antebraco", "cotovelo"}))
-    return BonePart::forearm;
-  if ((arm && upper) || any({"bicep", "biceps", "humerus", "oberarm"})) return BonePart::upper_arm;
-  if ((leg && lower) || any({"shin", "calf", "knee", "tibia", "fibula", "unterschenkel", "knie",
-                             "genou", "pantorrilla", "rodilla", "ginocchio", "joelho"}))
-    return BonePart::shin;
-  if ((leg && upper) ||
-      any({"thigh", "femur", "oberschenkel", "cuisse", "muslo", "coscia", "coxa"}))
-    return BonePart::thigh;
-  if (arm || any({"bras", "brazo", "braccio", "braco"})) return BonePart::arm;
-  if (leg || any({"jambe", "pierna", "gamba", "perna"})) return BonePart::leg;
+  if (any({"hand", "wrist", "palm", "fist"})) return BonePart::hand;
+  if (any({"foot", "feet", "ankle"})) return BonePart::foot;
+  if ((arm && lower) || any({"forearm", "elbow", "ulna", "radius"})) return BonePart::forearm;
+  if ((arm && upper) || any({"bicep", "biceps", "humerus"})) return BonePart::upper_arm;
+  if ((leg && lower) || any({"shin", "calf", "knee", "tibia", "fibula"})) return BonePart::shin;
+  if ((leg && upper) || any({"thigh", "femur"})) return BonePart::thigh;
+  if (arm) return BonePart::arm;
+  if (leg) return BonePart::leg;
   if (any({"shoulder", "shldr"})) return BonePart::shoulder;
   if (any({"hip"})) return BonePart::hip;
   return BonePart::none;
@@ -321,51 +178,53 @@ BoneName read_bone_name(const std::string& name, const std::set<std::string>& ha
     if (habit.count(token) != 0) continue;
     for (const std::string& word : words_of(token)) {
       bool short_form = false;
-      Word kind = short_side(word, short_form);
+      NameWord kind = short_side(word, short_form);
       if (!short_form) {
-        const auto found = vocabulary().find(word);
-        if (found == vocabulary().end()) {
+        const auto found = name_words().find(word);
+        if (found == name_words().end()) {
           result.unknown.push_back(word);
           continue;
         }
         kind = found->second;
       }
       switch (kind) {
-        case Word::side_left:
+        case NameWord::side_left:
           left = true;
           break;
-        case Word::side_right:
+        case NameWord::side_right:
           right = true;
           break;
-        case Word::part:
+        case NameWord::part:
           has.insert(word);
           break;
-        case Word::finger:
+        case NameWord::finger:
           finger = true;
           result.thumb = result.thumb || word == "thumb";
           break;
-        case Word::toe:
+        case NameWord::toe:
           toe = true;
           break;
-        case Word::helper:
+        case NameWord::helper:
           result.helper = true;
           break;
-        case Word::copy:
+        case NameWord::copy:
           result.copy = true;
           break;
-        case Word::end_marker:
+        case NameWord::end_marker:
           result.end_marker = true;
           break;
-        case Word::noise:
+        case NameWord::noise:
           break;
       }
     }
   }
   if (left != right) result.side = left ? BoneSide::left : BoneSide::right;
-  if (finger) {
-    result.part = BonePart::finger;
-  } else if (toe) {
+  // A toe may be called the leg's digit or the foot's index.
+  const bool of_leg = has.count("leg") + has.count("legs") + has.count("foot") > 0;
+  if (toe || (finger && of_leg)) {
     result.part = BonePart::toe;
+  } else if (finger) {
+    result.part = BonePart::finger;
   } else {
     result.part = part_of(has);
   }
@@ -373,6 +232,45 @@ BoneName read_bone_name(const std::string& name, const std::set<std::string>& ha
   if (result.part == BonePart::hip && result.side == BoneSide::none) result.part = BonePart::none;
   return result;
 }
+
+namespace {
+
+// Words that mean something to us and stand in nearly all names: "FootSoldier_LeftArm".
+std::vector<std::string> shared_known_words(const std::vector<std::string>& names) {
+  constexpr std::size_t kFewest = 8;
+  std::vector<std::string> shared;
+  if (names.size() < kFewest) return shared;
+  std::map<std::string, std::size_t> count;
+  for (const std::string& name : names) {
+    const std::vector<std::string> tokens = split(name);
+    for (const std::string& token : std::set<std::string>(tokens.begin(), tokens.end())) {
+      const auto known = name_words().find(token);
+      const bool says = known != name_words().end() && known->second != NameWord::noise &&
+                        known->second != NameWord::side_left &&
+                        known->second != NameWord::side_right;
+      if (says || translated_words().count(token) != 0) ++count[token];
+    }
+  }
+  for (const auto& [token, n] : count) {
+    if (20 * n >= 17 * names.size()) shared.push_back(token);
+  }
+  return shared;
+}
+
+// Whether parts of both sides are still named when these words are passed over; of a hand's own
+// skeleton, where "hand" and "left" are in all names, they are not.
+bool tell_both_sides(const std::vector<std::string>& names, const std::set<std::string>& habit) {
+  bool left = false, right = false;
+  for (const std::string& name : names) {
+    const BoneName read = read_bone_name(name, habit);
+    if (read.part == BonePart::none || read.helper) continue;
+    left = left || read.side == BoneSide::left;
+    right = right || read.side == BoneSide::right;
+  }
+  return left && right;
+}
+
+}  // namespace
 
 std::set<std::string> common_words(const std::vector<std::string>& names) {
   std::map<std::string, std::size_t> count;
@@ -386,6 +284,11 @@ std::set<std::string> common_words(const std::vector<std::string>& names) {
   std::set<std::string> common;
   for (const auto& [word, n] : count) {
     if (n >= 3 && 3 * n >= names.size()) common.insert(word);
+  }
+  for (const std::string& word : shared_known_words(names)) {
+    std::set<std::string> with = common;
+    with.insert(word);
+    if (tell_both_sides(names, with)) common = with;
   }
   return common;
 }

@@ -7,8 +7,8 @@
 // cut into known words, and the words are judged. So case, separators (also missing or encoded
 // ones), prefixes and numbers don't matter.
 //
-// Pure functions, any thread. Names are UTF-8. Words are English, the usual Japanese and Chinese,
-// and the parts of the body in German, French, Spanish, Italian and Portuguese.
+// Pure functions, any thread. Names are UTF-8. core/anatomy/name_words.h has the words: English,
+// and the parts of the body in a dozen other languages.
 #pragma once
 
 #include <set>
@@ -49,7 +49,8 @@ struct BoneName {
 // Words in `habit` (a prefix of the artist's own, for instance) are passed over.
 BoneName read_bone_name(const std::string& name, const std::set<std::string>& habit = {});
 
-// The unknown words that at least a third of the names have in common.
+// An artist's own words: the unknown ones that at least a third of the names have in common, and
+// known ones that nearly all of them have, if the names tell parts of both sides without them.
 std::set<std::string> common_words(const std::vector<std::string>& names);
 
 }  // namespace elbowroom

@@ -22,6 +22,7 @@ constexpr double kTrunk = 0.2;             // of a limb's length, between should
 constexpr double kSameSides = 0.85;        // cosine, between shoulders' and hips' lines
 constexpr double kAcross = 0.4;            // cosine, between the trunk and those lines
 constexpr double kSymmetric = 0.8;         // of the joints, where one pair is all there is
+constexpr double kStands = 0.12;           // of its length, by which the rest is above a lone pair
 constexpr double kMirrorNear = 0.05;       // of the figure's size
 
 struct Fit {
@@ -219,7 +220,7 @@ class Finder {
       if (!symmetric_about(pair, fit)) continue;
       const Vec3 roots = middle(pair, fit, &ChainFit::root);
       const auto way = direction(middle(pair, fit, &ChainFit::end) - roots);
-      const bool stands = way && glm::dot(*way, rest_of_body(pair) - roots) < -0.25 * fit.length;
+      const bool stands = way && glm::dot(*way, rest_of_body(pair) - roots) < -kStands * fit.length;
       if (stands && could_be_legs) {
         legs = &pair;
         found.no_arms = "beside the legs no pair of chains has three joints that fit an arm";

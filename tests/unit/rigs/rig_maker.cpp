@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/unit/rigs/rig_maker.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "core/base/random.h"
@@ -23,22 +25,27 @@ Vec3 place_of(const std::string& name, double side, const Stance& stance) {
       {"eye", {0.03, 1.66, 0.09}},    {"breast", {0.08, 1.3, 0.1}},  {"pole", {0.3, 1.2, -0.5}},
       {"knee_pole", {0.1, 0.5, 0.6}}, {"ear", {0.05, 1.75, 0}},      {"ear_end", {0.07, 1.95, 0}}};
   static const std::map<std::string, Vec3> arm = {
-      {"clavicle", {0.03, 1.43, 0}},       {"shoulder", {0.18, 1.43, -0.01}},
-      {"upper_mid", {0.32, 1.43, -0.015}}, {"elbow", {0.46, 1.43, -0.02}},
-      {"fore_mid", {0.585, 1.43, -0.015}}, {"wrist", {0.71, 1.43, -0.01}},
-      {"palm", {0.74, 1.43, -0.01}},       {"index1", {0.8, 1.43, 0.015}},
-      {"index2", {0.84, 1.425, 0.016}},    {"index3", {0.865, 1.42, 0.017}},
-      {"middle1", {0.805, 1.432, -0.008}}, {"middle2", {0.85, 1.43, -0.008}},
-      {"middle3", {0.878, 1.425, -0.008}}, {"ring1", {0.8, 1.43, -0.03}},
-      {"ring2", {0.842, 1.428, -0.031}},   {"pinky1", {0.79, 1.425, -0.048}},
-      {"pinky2", {0.82, 1.42, -0.05}},     {"thumb1", {0.735, 1.42, 0.02}},
-      {"thumb2", {0.765, 1.415, 0.045}},   {"thumb3", {0.785, 1.41, 0.06}}};
+      {"clavicle", {0.03, 1.43, 0}},           {"shoulder", {0.18, 1.43, -0.01}},
+      {"upper_mid", {0.32, 1.43, -0.015}},     {"elbow", {0.46, 1.43, -0.02}},
+      {"fore_mid", {0.585, 1.43, -0.015}},     {"wrist", {0.71, 1.43, -0.01}},
+      {"upper_third", {0.273, 1.43, -0.0133}}, {"upper_two", {0.367, 1.43, -0.0167}},
+      {"fore_third", {0.543, 1.43, -0.0167}},  {"fore_two", {0.627, 1.43, -0.0133}},
+      {"elbow_back", {0.46, 1.43, -0.06}},     {"palm", {0.74, 1.43, -0.01}},
+      {"index1", {0.8, 1.43, 0.015}},          {"index2", {0.84, 1.425, 0.016}},
+      {"index3", {0.865, 1.42, 0.017}},        {"middle1", {0.805, 1.432, -0.008}},
+      {"middle2", {0.85, 1.43, -0.008}},       {"middle3", {0.878, 1.425, -0.008}},
+      {"ring1", {0.8, 1.43, -0.03}},           {"ring2", {0.842, 1.428, -0.031}},
+      {"pinky1", {0.79, 1.425, -0.048}},       {"pinky2", {0.82, 1.42, -0.05}},
+      {"thumb1", {0.735, 1.42, 0.02}},         {"thumb2", {0.765, 1.415, 0.045}},
+      {"thumb3", {0.785, 1.41, 0.06}}};
   static const std::map<std::string, Vec3> leg = {
-      {"hip_helper", {0.06, 0.95, 0}},  {"hip", {0.1, 0.93, 0}},
-      {"thigh_mid", {0.1, 0.71, 0.01}}, {"knee", {0.1, 0.49, 0.02}},
-      {"shin_mid", {0.1, 0.285, 0}},    {"ankle", {0.1, 0.08, -0.02}},
-      {"ball", {0.1, 0.02, 0.11}},      {"toe", {0.1, 0.02, 0.18}},
-      {"heel", {0.1, 0.01, -0.06}}};
+      {"hip_helper", {0.06, 0.95, 0}},       {"hip", {0.1, 0.93, 0}},
+      {"thigh_mid", {0.1, 0.71, 0.01}},      {"knee", {0.1, 0.49, 0.02}},
+      {"shin_mid", {0.1, 0.285, 0}},         {"ankle", {0.1, 0.08, -0.02}},
+      {"ball", {0.1, 0.02, 0.11}},           {"toe", {0.1, 0.02, 0.18}},
+      {"thigh_third", {0.1, 0.783, 0.0067}}, {"thigh_two", {0.1, 0.637, 0.0133}},
+      {"shin_third", {0.1, 0.353, 0.0067}},  {"shin_two", {0.1, 0.217, -0.0067}},
+      {"knee_front", {0.1, 0.49, 0.08}},     {"heel", {0.1, 0.01, -0.06}}};
   Vec3 p(0.0);
   if (const auto found = trunk.find(name); found != trunk.end()) {
     p = found->second;
@@ -57,6 +64,8 @@ Vec3 place_of(const std::string& name, double side, const Stance& stance) {
   return Vec3(side * p.x, p.y, p.z);
 }
 
+}  // namespace
+
 std::string sided(const std::string& name, bool left) {
   const auto open = name.find('{'), bar = name.find('|', open), close = name.find('}', open);
   if (open == std::string::npos || bar == std::string::npos || close == std::string::npos) {
@@ -67,8 +76,6 @@ std::string sided(const std::string& name, bool left) {
          sided(name.substr(close + 1), left);
 }
 
-}  // namespace
-
 int MadeRig::joint(const std::string& name, bool left) const {
   const std::string wanted = sided(name, left);
   for (std::size_t i = 0; i < row_names.size(); ++i) {
@@ -78,6 +85,28 @@ int MadeRig::joint(const std::string& name, bool left) const {
 }
 
 MadeRig make_rig(const Convention& convention, const Stance& stance, const Placement& placement,
+                 bool nonsense_names) {
+  std::vector<PlacedJoint> placed;
+  const auto find = [&](const std::string& name) {
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+      if (placed[i].name == name) return static_cast<int>(i) + 1;
+    }
+    return 0;
+  };
+  const auto add = [&](const Row& row, bool left, bool first_side) {
+    const std::string name = sided(row.name, left);
+    if (!first_side && name == row.name) return;  // a middle one stands already
+    placed.push_back({name, *row.parent == 0 ? 0 : find(sided(row.parent, left)),
+                      place_of(row.place, left ? 1 : -1, stance), row.carries});
+  };
+  for (const Row& row : convention.rows) {
+    add(row, true, true);
+    add(row, false, false);
+  }
+  return make_rig(placed, placement, nonsense_names);
+}
+
+MadeRig make_rig(const std::vector<PlacedJoint>& placed, const Placement& placement,
                  bool nonsense_names) {
   MadeRig rig;
   Model& model = rig.model;
@@ -94,16 +123,13 @@ MadeRig make_rig(const Convention& convention, const Stance& stance, const Place
   std::vector<Quat> world = {Quat(1, 0, 0, 0)};
   std::vector<Vec3> places = {Vec3(0.0)};
   std::vector<Carries> carries = {Carries::no_joint};
-  const auto add = [&](const Row& row, bool left, bool first_side) {
-    const std::string name = sided(row.name, left);
-    if (!first_side && name == row.name) return;  // a middle one stands already
-    int parent = 0;
-    if (*row.parent != 0) parent = rig.joint(row.parent, left);
-    const auto p = static_cast<std::size_t>(parent);
-    const Vec3 at = data_from_body * place_of(row.place, left ? 1 : -1, stance);
+  double low = INFINITY, high = -INFINITY;
+  for (const PlacedJoint& row : placed) {
+    const auto p = static_cast<std::size_t>(row.parent);
+    const Vec3 at = data_from_body * row.place;
     Joint joint;
-    joint.name = name;
-    joint.parent = parent;
+    joint.name = row.name;
+    joint.parent = row.parent;
     const Quat own = glm::normalize(Quat(random.uniform(-1, 1), random.uniform(-1, 1),
                                          random.uniform(-1, 1), random.uniform(-1, 1)));
     joint.rest.rotation = glm::normalize(glm::conjugate(world[p]) * own);
@@ -112,12 +138,11 @@ MadeRig make_rig(const Convention& convention, const Stance& stance, const Place
     places.push_back(at);
     carries.push_back(row.carries);
     skeleton.joints.push_back(joint);
-    rig.row_names.push_back(name);
-  };
-  for (const Row& row : convention.rows) {
-    add(row, true, true);
-    add(row, false, false);
+    rig.row_names.push_back(row.name);
+    low = std::min(low, row.place.y);
+    high = std::max(high, row.place.y);
   }
+  const double height = high - low;
   if (nonsense_names) {
     for (std::size_t i = 0; i < skeleton.joints.size(); ++i) {
       skeleton.joints[i].name = i % 3 == 0 ? "" : "qx" + std::to_string(i * 7919 % 1000);
@@ -142,7 +167,8 @@ MadeRig make_rig(const Convention& convention, const Stance& stance, const Place
     if (carries[j] == Carries::nothing) continue;
     const Vec3 place(globals[j][3]);
     for (int corner = 0; corner < 4; ++corner) {
-      const Vec3 off(corner == 1 ? 0.01 : 0, corner == 2 ? 0.01 : 0, corner == 3 ? 0.01 : 0);
+      const Vec3 off(corner == 1 ? 0.006 * height : 0, corner == 2 ? 0.006 * height : 0,
+                     corner == 3 ? 0.006 * height : 0);
       mesh.positions.emplace_back(glm::vec3(place + off * std::abs(placement.scale.y)));
       mesh.influences.push_back({joint, slot, 1.0f});
       mesh.influence_begin.push_back(static_cast<std::uint32_t>(mesh.influences.size()));
@@ -151,7 +177,7 @@ MadeRig make_rig(const Convention& convention, const Stance& stance, const Place
   character.name = "made";
   character.skins = {0};
   character.meshes = {0};
-  character.height = 1.75 * std::abs(placement.scale.y);
+  character.height = height * std::abs(placement.scale.y);
   model.path = "made.glb";
   model.skins.push_back(skin);
   model.meshes.push_back(mesh);

@@ -25,6 +25,9 @@ struct Convention {
   // Names of the left arm's and leg's root, middle and end; the right ones follow by {l|r}.
   std::array<const char*, 3> arm, leg;
   std::vector<const char*> arm_driven = {}, leg_driven = {};  // between and beside, left ones
+  // Straight bones in several pieces: without names and without fingers and toes nothing tells
+  // which of the pieces meet in the elbow.
+  bool in_pieces = false;
 };
 
 struct Stance {
@@ -46,9 +49,23 @@ struct MadeRig {
   std::vector<std::string> row_names;                   // by node: before any renaming
 };
 
+// One joint, parents first. The parent counts from 1; 0 is the node above everything.
+struct PlacedJoint {
+  std::string name;
+  int parent = 0;
+  Vec3 place{0.0};  // y up, facing +z
+  Carries carries = Carries::skin;
+};
+MadeRig make_rig(const std::vector<PlacedJoint>& placed, const Placement& placement = {},
+                 bool nonsense_names = false);
+
 MadeRig make_rig(const Convention& convention, const Stance& stance = {},
                  const Placement& placement = {}, bool nonsense_names = false);
 
-std::vector<Convention> conventions();
+std::vector<Convention> conventions();       // made after habits
+std::vector<Convention> real_conventions();  // of rigs that exist
+
+// The name for one side of a row's: of "{l|r}thigh" "lthigh" or "rthigh".
+std::string sided(const std::string& name, bool left);
 
 }  // namespace elbowroom::test
