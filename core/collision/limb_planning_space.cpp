@@ -34,6 +34,7 @@ void LimbPlanningSpace::Data::place_chain(const FrameTracks::Cell& cell, const C
     return;
   chain_placed = !clip_pose;
   chain_at = c;
+  ++placement;
   const LimbState state = state_at(c);
   const Mat4 &p0 = tracks->parent(cell.row), &p1 = tracks->parent(cell.row + 1);
   // A rotation between two close ones, entry by entry, is short of a rotation by the square of
@@ -139,12 +140,27 @@ bool LimbPlanningSpace::Data::near(int number, const FrameTracks::Cell& cell,
                       &b = *pieces[static_cast<std::size_t>(pair.b)].mesh;
   const RigidTransform a_from_b =
       inverse(place(cell, segment, pair.a)) * place(cell, segment, pair.b);
-  if (in_contact(a, b, a_from_b, state.distance + more, pair.filter, &state.cache)) return true;
+  // What is known from placements near by, or else all of both meshes.
+  const auto ask = [&](double distance, double least, const PatchFilter& filter, PairCache& cache,
+                       NearLists& lists) {
+    if (const auto known = lists.in_contact(a, b, a_from_b, distance, filter, &cache))
+      return *known;
+    if (in_contact(a, b, a_from_b, distance, filter, &cache)) return true;
+    lists.learn(a, b, a_from_b, least, filter);
+    return false;
+  };
+  if (ask(state.distance + more, state.distance, pair.filter, state.cache, state.lists))
+    return true;
   if (!state.near_only) return false;
-  PatchFilter cross = pair.filter;
-  cross.allowed = state.cross;
-  cross.regions = state.cross_regions.get();
-  return in_contact(a, b, a_from_b, more, cross, &state.cross_cache);
+  return ask(more, 0.0, cross_filter(number), state.cross_cache, state.cross_lists);
+}
+
+PatchFilter LimbPlanningSpace::Data::cross_filter(int number) const {
+  const auto k = static_cast<std::size_t>(number);
+  PatchFilter cross = pairs[k].filter;
+  cross.allowed = pair_states[k].cross;
+  cross.regions = pair_states[k].cross_regions.get();
+  return cross;
 }
 
 bool LimbPlanningSpace::Data::surely_clear(int number, const FrameTracks::Cell& cell,
@@ -152,28 +168,32 @@ bool LimbPlanningSpace::Data::surely_clear(int number, const FrameTracks::Cell& 
   if (!bounds_near(number, cell, segment, more)) return true;
   const auto k = static_cast<std::size_t>(number);
   const Pair& pair = pairs[k];
-  const PairState& state = pair_states[k];
+  PairState& state = pair_states[k];
   const CollisionMesh &a = *pieces[static_cast<std::size_t>(pair.a)].mesh,
                       &b = *pieces[static_cast<std::size_t>(pair.b)].mesh;
   const RigidTransform a_from_b =
       inverse(place(cell, segment, pair.a)) * place(cell, segment, pair.b);
-  if (!surely_farther(a, b, a_from_b, state.distance + more, pair.filter)) return false;
-  if (!state.near_only) return true;
-  PatchFilter cross = pair.filter;
-  cross.allowed = state.cross;
-  cross.regions = state.cross_regions.get();
-  return surely_farther(a, b, a_from_b, more, cross);
+  const auto ask = [&](double distance, const PatchFilter& filter, NearLists& lists) {
+    if (const auto known = lists.surely_farther(a, b, a_from_b, distance)) return *known;
+    return surely_farther(a, b, a_from_b, distance, filter);
+  };
+  return ask(state.distance + more, pair.filter, state.lists) &&
+         (!state.near_only || ask(more, cross_filter(number), state.cross_lists));
 }
 
 bool LimbPlanningSpace::Data::touches(int number, const FrameTracks::Cell& cell,
                                       const Segment& segment) {
+  PairState& state = pair_states[static_cast<std::size_t>(number)];
+  if (state.clear_at == placement) return false;
   const bool hit = near(number, cell, segment, 0.0);
   if (hit) {
-    ++pair_states[static_cast<std::size_t>(number)].hits;
+    ++state.hits;
     auto at = std::find(recent.begin(), recent.end(), number);
     if (at == recent.end()) --at;
     std::rotate(recent.begin(), at, at + 1);
     recent.front() = number;
+  } else {
+    state.clear_at = placement;
   }
   return hit;
 }

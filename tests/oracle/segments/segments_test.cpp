@@ -151,9 +151,9 @@ void look_at_world(bool moving, int edges, Random& random, Tally& tally) {
     with_clearance.push_back(std::make_unique<LimbPlanningSpace>(
         scene, 0, 0.0, 1.0, at_init, at_goal, LimbPlanningSpace::Settings{clearance, 0.0, -1.0}));
 
-  // Most edges are to have something near them: what keeps 3 cm all the way is taken one time in
-  // ten.
-  LimbPlanningSpace wide = space_of(0.03);
+  // Most edges are to have something near them: what keeps 1 cm all the way is taken one time in
+  // ten. (Of those that come within 3 cm of something that stands still, too few collide.)
+  LimbPlanningSpace wide = space_of(0.01);
   std::vector<Edge> list;
   while (static_cast<int>(list.size()) < edges) {
     Edge edge;
