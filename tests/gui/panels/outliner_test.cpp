@@ -60,6 +60,9 @@ TEST_F(Panels, CorrectionsAreRenamedInTheirRow) {
   ui().frame(2);
   const auto name = [&] { return state().document->corrections.front().name; };
   const std::string first = name();
+  ASSERT_TRUE(driver().settle());
+  ASSERT_TRUE(state().strip_is_current);
+  const auto motion = state().clip;
   const auto type = [&](const std::string& text) {
     ui().frame(3);
     ASSERT_TRUE(ui().has("Correction name"));
@@ -76,6 +79,8 @@ TEST_F(Panels, CorrectionsAreRenamedInTheirRow) {
       },
       "rename");
   EXPECT_EQ(name(), "Past the post");
+  EXPECT_EQ(state().clip, motion) << "another name is no other motion";
+  EXPECT_TRUE(state().strip_is_current) << "and what is known of it stays known";
   ui().frame(2);
   EXPECT_FALSE(ui().has("Correction name"));
   EXPECT_TRUE(ui().has("Outliner/Past the post"));

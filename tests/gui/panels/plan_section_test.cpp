@@ -42,8 +42,16 @@ TEST_F(Panels, PlanSectionInAllStates) {
     const ProbedWidget* note = window.widget("No motion found: the way is blocked");
     ASSERT_NE(note, nullptr);
     EXPECT_NE(note->value.find("hand with post"), std::string::npos);
+    EXPECT_NE(note->value.find("Another seed"), std::string::npos);
     EXPECT_FALSE(window.has("Accept"));
     EXPECT_TRUE(window.has("Plan/Plan"));
+    // Where nothing was searched another seed is no help, and is not offered.
+    failed.failure->hopeless = failed.failure->reach = true;
+    window.frame(2);
+    note = window.widget("No motion found: the way is blocked");
+    ASSERT_NE(note, nullptr);
+    EXPECT_EQ(note->value.find("Another seed"), std::string::npos);
+    EXPECT_NE(note->value.find("Move the target"), std::string::npos);
   }
   ui().frame();  // back in the first context
   // A candidate: a card with numbers; Del forgets it, Enter takes it.
