@@ -40,6 +40,7 @@ struct SolveOptions {
   std::string out;
   std::string report;
   std::string per_file;  // folder: each source that was changed, under its own name
+  bool anew = false;     // accepted corrections are not kept but planned again
 };
 int run_solve(const SolveOptions& options, Interruption& interruption);
 

@@ -69,7 +69,8 @@ int main(int argc, char** argv) {
   reach_command->add_option("--at", reach.at, "when, seconds")->type_name("T")->required();
 
   SolveOptions solve;
-  CLI::App* solve_command = program.add_subcommand("solve", "all tasks of a project, in order");
+  CLI::App* solve_command = program.add_subcommand(
+      "solve", "all tasks of a project, in order; accepted corrections that hold are kept");
   solve_command->add_option("PROJECT", solve.project, "a project file")->required();
   solve_command->add_option("-o,--out", solve.out, "the corrected file")
       ->type_name("OUT.glb")
@@ -78,6 +79,8 @@ int main(int argc, char** argv) {
       ->add_option("--per-file", solve.per_file,
                    "write each source file that was changed into this folder too, under its name")
       ->type_name("DIR");
+  solve_command->add_flag("--anew", solve.anew,
+                          "plan all tasks, also those whose corrections have been accepted");
   solve_command->add_option("--report", solve.report, "write a report")->type_name("R.json");
 
   RenderOptions render;

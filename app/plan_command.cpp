@@ -87,7 +87,8 @@ Status read_plan_options(const PlanOptions& options, Task& task) {
 int run_task(const PlanOptions& options, Task task, Interruption& interruption) {
   PlanningRun run;
   run.project = options.scene.project;
-  run.over_corrections = run.typed = true;
+  run.corrections = PlanningRun::Corrections::beneath;
+  run.typed = true;
   run.outputs.out = options.out;
   run.outputs.report = options.report;
   run.outputs.save_project = options.save_project;

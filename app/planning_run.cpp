@@ -46,6 +46,12 @@ Status check_tasks(const Session& session, const SceneCollision& scene,
   return Done{};
 }
 
+// Whether one of the tasks or corrections is said to be of a clip.
+template <typename List>
+bool names_a_clip(const List& list) {
+  return std::any_of(list.begin(), list.end(), [](const auto& one) { return !one.clip.empty(); });
+}
+
 // Those of the clip that is played; says how many others are passed over.
 std::vector<Task> tasks_of_clip(const Session& session, const std::vector<Task>& tasks) {
   std::vector<Task> own;
@@ -76,15 +82,20 @@ int run_planning(const PlanningRun& run, Interruption& interruption) {
 
   // What limbs other clips' tasks name is not looked at: a session without limbs of its own tells
   // whose the tasks are.
+  const bool keep = run.corrections == PlanningRun::Corrections::kept;
+  const auto& document = run.document;
   std::vector<Task> tasks = run.tasks;
-  if (std::any_of(tasks.begin(), tasks.end(),
-                  [](const Task& task) { return !task.clip.empty(); })) {
-    const auto plain = open_session(run.document, {});
+  std::vector<Correction> accepted = keep ? document.corrections : std::vector<Correction>();
+  if (names_a_clip(tasks) || names_a_clip(accepted)) {
+    const auto plain = open_session(document, {});
     if (!plain) return refused(plain.error());
     tasks = tasks_of_clip(*plain, run.tasks);
+    std::erase_if(accepted, [&](const auto& one) { return !plain->is_of_clip(one.clip); });
   }
   std::vector<std::string> limbs;
   for (const Task& task : tasks) limbs.push_back(task.limb);
+  for (const Correction& correction : accepted)
+    if (!correction.muted) limbs.push_back(correction.limb);
   auto session = open_session(run.document, limbs);
   if (!session) return refused(session.error());
   print_warnings(session->warnings);
@@ -101,20 +112,24 @@ int run_planning(const PlanningRun& run, Interruption& interruption) {
   }
 
   std::shared_ptr<const Clip> start = session->clip();
-  if (run.over_corrections && !run.document.corrections.empty()) {
+  if (run.corrections == PlanningRun::Corrections::beneath && !document.corrections.empty()) {
     std::vector<Correction> own;
-    for (const Correction& correction : run.document.corrections)
+    for (const Correction& correction : document.corrections)
       if (session->is_of_clip(correction.clip)) own.push_back(correction);
     auto laid = lay_over(session->scene.model().skeleton, *start, own);
     if (!laid) return refused(laid.error());
     start = std::make_shared<const Clip>(std::move(*laid));
     scene->set_clip(start);
   }
-  const auto outcome = solve_tasks(*scene, *session, tasks, interruption.token(), progress);
+  const auto outcome =
+      accepted.empty()
+          ? solve_tasks(*scene, *session, tasks, interruption.token(), progress)
+          : solve_over_accepted(*scene, *session, tasks, accepted, interruption.token(), progress);
   if (!outcome) return refused(outcome.error());
-  const Document document = with_outcome(run, *outcome);
-  return deliver({*session, *scene, *outcome, start, run.outputs, document, run.project}, files,
-                 interruption);
+  print_warnings(outcome->notes);
+  return deliver(
+      {*session, *scene, *outcome, start, run.outputs, with_outcome(run, *outcome), run.project},
+      files, interruption);
 }
 
 }  // namespace elbowroom

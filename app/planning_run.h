@@ -15,8 +15,10 @@ struct PlanningRun {
   Document document;
   std::filesystem::path project;  // that the document was read from; empty: none
   std::vector<Task> tasks;        // to do, in this order
-  // On top of the document's corrections that are not muted; else on the clip as it is in the file.
-  bool over_corrections = false;
+  // What becomes of the document's corrections that are not muted. beneath: the tasks are done on
+  // top of them, as they are. kept: they are what has been done of the tasks already, as far as
+  // they hold (solve_over_accepted). ignored: the tasks are done on the clip as it is in the file.
+  enum class Corrections { ignored, beneath, kept } corrections = Corrections::ignored;
   // The tasks' wishes were typed: what is wrong with them is wrong usage.
   bool typed = false;
   Outputs outputs;

@@ -73,6 +73,7 @@ std::string correction_report(const std::string& status, const Session& session,
     item["status"] = window.status == CorrectionStatus::corrected   ? "corrected"
                      : window.status == CorrectionStatus::cancelled ? "interrupted"
                                                                     : "failed";
+    item["accepted"] = window.accepted;
     item["seed"] = window.seed;
     item["certified"] = window.certified;
     if (!window.not_certified.empty()) item["not_certified"] = window.not_certified;
@@ -90,7 +91,7 @@ std::string correction_report(const std::string& status, const Session& session,
     item["peak_speed"] = window.peak_speed;
     item["peak_acceleration"] = window.peak_acceleration;
     item["deviation_from_clip"] = window.deviation_from_clip;
-    item["cost"] = window.cost;
+    item["cost"] = window.accepted ? Json() : Json(window.cost);
     item["attempts"] = window.attempts;
     item["blocked_by"] = window.blocked_by.empty() ? Json() : Json(window.blocked_by);
     if (!window.reason.empty()) item["reason"] = window.reason;
@@ -129,6 +130,7 @@ std::string correction_report(const std::string& status, const Session& session,
   report["allowed_contacts"] = allowed_json(scene);
   report["limits_widened"] = widened;
   report["warnings"] = session.warnings;
+  for (const std::string& note : outcome.notes) report["warnings"].push_back(note);
   return text_of(report);
 }
 

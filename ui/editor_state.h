@@ -70,6 +70,10 @@ struct PlanFailure {
   std::string limb, reason, blocked_by;
   double begin = 0, end = 0;
   std::vector<Suggestion> suggestions{};
+  // Nothing was searched: the window's ends are in contact, or no posture reaches the target. What
+  // the planner draws at random changes nothing then.
+  bool hopeless = false;
+  bool reach = false;
 };
 
 // Where the limb stands for the hand target that is being set.

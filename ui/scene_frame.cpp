@@ -174,7 +174,11 @@ void SceneFrame::add_target(const EditorState& state) {
   marker.colour = kStyle.selection;
   frame_.markers.push_back(marker);
   if (!state.target.state || !same_time(state.time, target->time, state.frame_rate)) return;
-  const bool good = state.target.status == TargetView::Status::solved;
+  // Green is free, orange is not; what is not known yet is neither.
+  const auto status = state.target.status;
+  const auto colour = status == TargetView::Status::solved    ? kStyle.good
+                      : status == TargetView::Status::solving ? kStyle.ghost
+                                                              : kStyle.problem;
   target_world_ = world_;
   target_states_ = states_;
   ActorState& figure = target_states_.front();
@@ -184,8 +188,7 @@ void SceneFrame::add_target(const EditorState& state) {
   for (std::size_t actor = 1; actor < target_world_.actors.size(); ++actor)
     if (carried_by(target_world_, actor, limb_parts_))
       actor_state_at(target_world_, static_cast<int>(actor), state.time, target_states_);
-  add_ghost(target_world_, target_states_, limb->limb, good ? kStyle.good : kStyle.problem,
-            kGhostOpacity);
+  add_ghost(target_world_, target_states_, limb->limb, colour, kGhostOpacity);
 }
 
 void SceneFrame::add_contacts(const EditorState& state, const ViewState& view) {

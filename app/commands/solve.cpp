@@ -30,6 +30,7 @@ int run_solve(const SolveOptions& options, Interruption& interruption) {
   run.outputs.out = options.out;
   run.outputs.report = options.report;
   run.outputs.per_file = options.per_file;
+  if (!options.anew) run.corrections = PlanningRun::Corrections::kept;
   Status usage = check_file_name(options.project, "PROJECT");
   if (usage) usage = check_file_name(options.out, "-o");
   // The project's own name is safe from the report of what is wrong with it.

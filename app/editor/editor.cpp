@@ -191,6 +191,8 @@ void Editor::refresh() {
           places.push_back(i);
         }
       Motion motion = motion_of(session_->scene.model().skeleton, state_.source, own);
+      // Another name is no other motion: what is known of it stays known.
+      if (state_.clip && !changed) motion.clip = state_.clip;
       shown_corrections_ = document.corrections;
       if (state_.clip != motion.clip) state_.strip_is_current = false;
       state_.clip = motion.clip;

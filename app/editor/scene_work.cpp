@@ -19,6 +19,8 @@ PlanFailure failure_of(const Task& task, const WindowReport& report) {
   failure.begin = report.begin;
   failure.end = report.end;
   failure.suggestions = report.suggestions;
+  failure.hopeless = report.attempts.empty();
+  failure.reach = task.kind == TaskKind::reach;
   return failure;
 }
 

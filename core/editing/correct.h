@@ -39,6 +39,7 @@ const char* suggestion_id(Suggestion::Kind kind);
 // What one window came to; the fields of a report's `corrections`.
 struct WindowReport {
   CorrectionStatus status = CorrectionStatus::failed;
+  bool accepted = false;  // nothing was planned: keys that were there already have been verified
   int limb = -1;
   double begin = 0, end = 0;               // seconds, float32 values
   std::uint64_t seed = 0;                  // of the attempt that was taken
@@ -54,9 +55,9 @@ struct WindowReport {
   double peak_speed = 0;           // rad/s, any DOF
   double peak_acceleration = 0;    // rad/s², any DOF
   double deviation_from_clip = 0;  // rad, the largest angle of any limb joint from the clip
-  double cost = 0;                 // motion_cost.h; what ways around are ranked by
-  std::string blocked_by;          // what stood in the way, when it failed: pair and time
-  std::string reason;              // for people, when it failed
+  double cost = 0;  // motion_cost.h; what ways around are ranked by; 0 where nothing was planned
+  std::string blocked_by;                   // what stood in the way, when it failed: pair and time
+  std::string reason;                       // for people, when it failed
   std::vector<std::string> limits_widened;  // DOF names
   // What each attempt looked at and came to, in order, for people.
   std::vector<std::string> attempts;
@@ -79,6 +80,7 @@ struct CorrectionOutcome {
   std::vector<ContactInterval> after;   // and in `clip`
   std::vector<ContactInterval> other;   // contacts that involve no limb: they fail nothing
   bool interrupted = false;             // a stop request came before all was done
+  std::vector<std::string> notes;       // for people: what was not kept as it was, and why
 
   bool all_corrected() const;
   bool cancelled() const;  // interrupted, or a window was

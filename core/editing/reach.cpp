@@ -396,9 +396,14 @@ std::string ik_reason(const IkResult& result, const LimbModel& limb) {
     case IkStatus::solved:
       return {};
     case IkStatus::out_of_reach:
-      std::snprintf(text, sizeof text, "the target is out of reach by %.3g %s",
-                    result.miss < 0.01 ? 1000 * result.miss : result.miss,
-                    result.miss < 0.01 ? "mm" : "m");
+      if (result.miss < 0.01)
+        std::snprintf(text, sizeof text, "the target is out of reach by %.2g mm",
+                      1000 * result.miss);
+      else if (result.miss < 1)
+        std::snprintf(text, sizeof text, "the target is out of reach by %.1f cm",
+                      100 * result.miss);
+      else
+        std::snprintf(text, sizeof text, "the target is out of reach by %.2f m", result.miss);
       return text;
     case IkStatus::at_limit: {
       if (result.dof < 0) return "the target asks for more than the limb's limits allow";

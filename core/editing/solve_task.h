@@ -22,4 +22,16 @@ Result<CorrectionOutcome> solve_tasks(SceneCollision& scene, const Session& sess
                                       const std::vector<Task>& tasks, std::stop_token stop = {},
                                       const ProgressSink& progress = {});
 
+// The same where corrections have been accepted: those that hold (core/editing/accepted.h) come out
+// key by key as they are, before all else; tasks of which one doesn't, or which have none yet, are
+// planned on top of them. `notes` tells of what was not kept.
+// A task to correct without a window also sees to what is left of its limbs' contacts, unless one
+// of its corrections is muted: muted ones are not made again. What holds no more and has no task
+// among these is planned anew as it was made.
+Result<CorrectionOutcome> solve_over_accepted(SceneCollision& scene, const Session& session,
+                                              const std::vector<Task>& tasks,
+                                              const std::vector<Correction>& accepted,
+                                              std::stop_token stop = {},
+                                              const ProgressSink& progress = {});
+
 }  // namespace elbowroom

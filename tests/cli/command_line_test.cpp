@@ -288,6 +288,9 @@ TEST(Correct, SameSeedGivesTheSameBytesAndAProjectSolvesToThem) {
       run({"solve", folder / "a.glb.elbow", "-o", folder / "d.glb", "--report", folder / "d.json"});
   EXPECT_EQ(solved.exit_code, 0) << solved.out << solved.err;
   EXPECT_EQ(bytes_of(folder / "a.glb"), bytes_of(folder / "d.glb"));
+  const auto anew = run({"solve", folder / "a.glb.elbow", "--anew", "-o", folder / "f.glb"});
+  EXPECT_EQ(anew.exit_code, 0) << anew.out << anew.err;
+  EXPECT_EQ(bytes_of(folder / "a.glb"), bytes_of(folder / "f.glb"));
   // A correction is its task's: muted, the task is passed over.
   auto project = read_json(folder / "a.glb.elbow");
   ASSERT_EQ(project["tasks"].size(), 1u);

@@ -31,6 +31,11 @@ nlohmann::json demo_project(const nlohmann::json& tasks) {
           {"tasks", tasks}};
 }
 
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
 TEST(Limb, IsNamedByItsJointsToo) {
   const Folder folder;
   const auto result = run_program(kProgram, {"correct", "--character", kMannequin, "--clip", "Walk",
@@ -67,6 +72,75 @@ TEST(Solve, LooksAtAllTasksLimbsOnceBeforeAndOnceAfter) {
   EXPECT_EQ(report["collisions_before"], expected);
   EXPECT_EQ(report["collisions_after"], expected);
   EXPECT_EQ(report["other_contacts"], check["other_contacts"]);
+}
+
+// Another way than the one that the task's own seed gives, accepted: it is what comes out, byte for
+// byte. Asked to, `solve` plans anew and takes its own; unasked, and saying so, where something has
+// come in the way.
+TEST(Solve, DeliversTheWayThatWasAccepted) {
+  const Folder folder;
+  const double time = 0.55;
+  const judge::File walk = judge::load(kMannequin);
+  const auto place = [](const judge::File& file, const std::string& clip, double t) {
+    const auto state = judge::state_at(file, &file.animation(clip), t);
+    return glm::dvec3(state.world[static_cast<std::size_t>(file.node("LeftHand"))][3]);
+  };
+  const glm::dvec3 target = place(walk, "Walk", time) + glm::dvec3(0.05, 0.2, 0.1);
+  const auto reach = [&](const std::string& name, const std::string& elbow) {
+    const auto run = run_program(
+        kProgram,
+        {"reach", "--character", kMannequin, "--clip", "Walk", "--limb", "left_arm", "--target",
+         std::to_string(target.x) + "," + std::to_string(target.y) + "," + std::to_string(target.z),
+         "--at", std::to_string(time), "--sample", "Elbow, flexion=" + elbow, "-o",
+         folder / (name + ".glb"), "--save-project", folder / (name + ".elbow")});
+    EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  };
+  reach("own", "0:140");
+  reach("other", "80:120");
+  ASSERT_TRUE(bytes_of(folder / "own.glb") != bytes_of(folder / "other.glb"));
+  auto project = read_json(folder / "own.elbow");
+  project["corrections"] = read_json(folder / "other.elbow")["corrections"];
+  ASSERT_EQ(project["corrections"].size(), 1u);
+  // As the other way of several is written: with the task's wishes and a seed of its own.
+  project["corrections"][0]["made_with"] =
+      read_json(folder / "own.elbow")["corrections"][0]["made_with"];
+  project["corrections"][0]["made_with"]["seed"] = 7920;
+  project["corrections"][0]["name"] = "Up there";
+  ASSERT_EQ(project["corrections"][0]["task"], project["tasks"][0]["name"]);
+  const auto solve = [&](const std::vector<std::string>& more = {}) {
+    std::ofstream(folder / "p.elbow") << project.dump();
+    std::vector<std::string> call = {"solve",    folder / "p.elbow", "-o", folder / "out.glb",
+                                     "--report", folder / "r.json"};
+    call.insert(call.end(), more.begin(), more.end());
+    const auto run = run_program(kProgram, call);
+    EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+    return run;
+  };
+  EXPECT_NE(solve().out.find("as accepted, verified"), std::string::npos);
+  EXPECT_TRUE(bytes_of(folder / "out.glb") == bytes_of(folder / "other.glb"));
+  auto report = read_json(folder / "r.json");
+  ASSERT_EQ(report["corrections"].size(), 1u);
+  EXPECT_EQ(report["status"], "corrected");
+  EXPECT_TRUE(report["corrections"][0]["accepted"].get<bool>());
+  EXPECT_TRUE(report["corrections"][0]["cost"].is_null());
+  EXPECT_TRUE(report["warnings"].empty()) << report["warnings"];
+
+  solve({"--anew"});
+  EXPECT_TRUE(bytes_of(folder / "out.glb") == bytes_of(folder / "own.glb"));
+  EXPECT_FALSE(read_json(folder / "r.json")["corrections"][0]["accepted"].get<bool>());
+
+  const glm::vec3 passed(place(judge::load(folder / "other.glb"), "Walk (corrected)", time + 0.3));
+  ASSERT_TRUE(write_simple_glb(folder / "thing.glb", "thing",
+                               box(passed - glm::vec3(0.01f), passed + glm::vec3(0.01f))));
+  project["scene"]["obstacles"] = {folder / "thing.glb"};
+  const auto anew = solve();
+  EXPECT_NE(anew.err.find("\"Up there\" is planned anew"), std::string::npos) << anew.err;
+  EXPECT_NE(anew.err.find("thing"), std::string::npos) << anew.err;
+  report = read_json(folder / "r.json");
+  ASSERT_EQ(report["corrections"].size(), 1u);
+  EXPECT_FALSE(report["corrections"][0]["accepted"].get<bool>());
+  EXPECT_EQ(report["warnings"].size(), 1u);
+  EXPECT_TRUE(bytes_of(folder / "out.glb") != bytes_of(folder / "other.glb"));
 }
 
 TEST(Solve, LimbsThatShareJointsAreToldOf) {

@@ -111,6 +111,12 @@ void use_suggestion(const PanelContext& context, const Suggestion& works) {
   context.emit(command::Plan{});
 }
 
+// The target asks for an orientation too.
+bool turned(const PanelContext& context) {
+  const auto& target = context.state.document->draft.target;
+  return target && target->orientation;
+}
+
 void failure_note(const PanelContext& context) {
   const PlanFailure& failure = *context.state.failure;
   std::string more;
@@ -119,7 +125,12 @@ void failure_note(const PanelContext& context) {
   for (const Suggestion& suggestion : failure.suggestions) line(sentence(suggestion.text()) + ".");
   const auto works = std::find_if(failure.suggestions.begin(), failure.suggestions.end(),
                                   [](const Suggestion& s) { return s.works; });
-  if (works == failure.suggestions.end()) line("Another seed may find a way.");
+  if (works == failure.suggestions.end()) {
+    if (!failure.hopeless)
+      line("Another seed may find a way.");
+    else if (failure.reach)
+      line(turned(context) ? "Move the target, or let the hand turn freely." : "Move the target.");
+  }
   inline_note(
       context.ui, Tone::problem,
       "No motion found: " + (failure.reason.empty() ? "the budget is used up" : failure.reason),

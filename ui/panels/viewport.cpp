@@ -63,6 +63,19 @@ void pill(const Ui& ui, ImDrawList& list, ImVec2 at, float anchor, const std::st
   draw_text(list, font, {min.x + pad, middle(min.y, height, font)}, ui.colour(tone), text);
 }
 
+// How far a handle has been dragged, beside the pointer; in the picture, wherever that has gone.
+void show_drag_amount(const Ui& ui, ImDrawList& list, const Rect& picture, std::string amount) {
+  for (auto at = amount.find('-'); at != std::string::npos; at = amount.find('-', at))
+    amount.replace(at, 1, "−");
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const bool to_the_left = mouse.x + ui.px(18) + pill_width(ui, amount) > picture.max.x;
+  const float x = to_the_left ? std::min(mouse.x - ui.px(18), picture.max.x - ui.px(8))
+                              : std::max(mouse.x + ui.px(18), picture.min.x + ui.px(8));
+  const float y = std::clamp(mouse.y + ui.px(14), picture.min.y + ui.px(8),
+                             std::max(picture.min.y + ui.px(8), picture.max.y - ui.px(36)));
+  pill(ui, list, {x, y}, to_the_left ? 1.0f : 0.0f, amount, Tone::selection);
+}
+
 const char* compare_text(Compare compare) {
   switch (compare) {
     case Compare::after:
@@ -219,11 +232,7 @@ void Viewport::gizmo(const PanelContext& context, bool hovered) {
     for (const GizmoPart& part : gizmo_drag_.guides()) paint(list, rect_.min, part);
   const GizmoShape shape = make_gizmo(gizmo_view, pose, options);
   for (const GizmoPart& part : shape.parts) paint(list, rect_.min, part);
-  if (drag_ == Drag::gizmo) {
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    pill(context.ui, list, {mouse.x + context.ui.px(18), mouse.y + context.ui.px(14)}, 0,
-         gizmo_drag_.label(), Tone::selection);
-  }
+  if (drag_ == Drag::gizmo) show_drag_amount(context.ui, list, rect_, gizmo_drag_.label());
   list.PopClipRect();
   // The middle of the gizmo, for tests and for whoever reads the window as text.
   const Vec3 middle = gizmo_view.to_pixels(pose.place);

@@ -257,7 +257,11 @@ TextEdit text_input(Ui& ui, std::string_view label, std::string& text, const Tex
       (ImGui::IsItemDeactivatedAfterEdit() || (edit.entered && edit.changed)) && !escaped;
   ImGui::PopStyleVar();
   ImGui::EndDisabled();
-  explain(ui, options.hint);
+  // Over what is being typed a tooltip would be in the way: the status line has it meanwhile.
+  if (ImGui::IsItemActive())
+    ui.hint(options.hint);
+  else
+    explain(ui, options.hint);
   ImGui::PopID();
   ui.record(WidgetKind::text_input, label, line.box.min, line.box.max, text, options.enabled);
   return edit;

@@ -11,16 +11,12 @@
 #include "core/editing/reach.h"
 #include "core/editing/session.h"
 #include "core/editing/window_problem.h"
+#include "tests/support/walking.h"
 
 namespace elbowroom {
 namespace {
 
-Document walking() {
-  Document document;
-  document.scene.character = std::filesystem::path(ELBOWROOM_DEMO_DIR) / "mannequin.glb";
-  document.scene.clip = "Walk";
-  return document;
-}
+Document walking() { return test::walking(ELBOWROOM_DEMO_DIR); }
 
 bool warned(const Session& session, const std::string& words) {
   return std::any_of(session.warnings.begin(), session.warnings.end(),

@@ -9,16 +9,12 @@
 #include "core/editing/solve_task.h"
 #include "core/editing/unique_names.h"
 #include "core/editing/window_problem.h"
+#include "tests/support/walking.h"
 
 namespace elbowroom {
 namespace {
 
-Document walking() {
-  Document document;
-  document.scene.character = std::filesystem::path(ELBOWROOM_DEMO_DIR) / "mannequin.glb";
-  document.scene.clip = "Walk";
-  return document;
-}
+Document walking() { return test::walking(ELBOWROOM_DEMO_DIR); }
 
 Task correct_task(const std::string& limb) {
   Task task;

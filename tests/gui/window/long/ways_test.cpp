@@ -70,6 +70,13 @@ TEST_F(Ways, TheOneShownIsTheOneExported) {
       EXPECT_NE(std::find(times.begin(), times.end(), time.get<float>()), times.end());
   }
 
+  // And the command line delivers the same from the project: not the best way, the accepted one.
+  const auto solved = folder_ / "solved.glb";
+  const ProgramRun run = run_program(ELBOWROOM_PROGRAM, {"solve", project, "-o", solved});
+  ASSERT_EQ(run.exit_code, 0) << run.out << run.err;
+  EXPECT_NE(run.out.find("as accepted, verified"), std::string::npos) << run.out;
+  EXPECT_TRUE(bytes_of(solved) == bytes_of(out));
+
   // One step takes it back; the best one, accepted instead, is another file.
   editor().key("ctrl+z");
   ASSERT_TRUE(editor().wait([&] { return editor().find("Clip time.window.band").has_value(); }));

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// The plan section: before, while and after something is planned, and where it fails.
+#include "app/editor/key_names.h"
+#include "tests/gui/panels/panels_fixture.h"
+
+namespace elbowroom {
+namespace {
+
+using namespace command;
+
+TEST_F(Panels, PlanSectionInAllStates) {
+  driver().handle(SelectLimb{arm});
+  ui().frame(2);
+  EXPECT_EQ(ui().widget("Plan/Plan")->label, "Plan first problem");
+  driver().handle(SelectProblem{arm, 0});
+  ui().frame(2);
+  EXPECT_NE(ui().widget("Plan/Plan")->label.find("–"), std::string::npos) << "names the window";
+  driver().handle(TargetFromPosture{});
+  ui().frame(2);
+  EXPECT_NE(ui().widget("Plan/Plan")->label.find("reach"), std::string::npos);
+  driver().handle(Undo{});
+  // Planning: no button, progress, cancel.
+  ui().click("Plan/Plan");
+  ASSERT_TRUE(state().planning.active);
+  ui().frame(2);
+  EXPECT_FALSE(ui().has("Plan/Plan"));
+  EXPECT_NE(ui().value("News"), "");
+  ui().click("Cancel");
+  EXPECT_FALSE(state().planning.active);
+  ui().frame(2);
+  EXPECT_TRUE(ui().has("Plan/Plan"));
+  // A failure says why, what was in the way and what to try.
+  {
+    EditorState failed = state();
+    failed.failure = PlanFailure{draft().limb, "the way is blocked", "hand with post", 1, 2};
+    ViewState view = driver().view();
+    EditorUi panels;
+    Commands commands;
+    UiDriver window(1600, 1000);
+    window.show([&](Ui& toolkit) { panels.draw(toolkit, failed, view, commands); });
+    EXPECT_NE(window.value("News").find("no motion found"), std::string::npos);
+    const ProbedWidget* note = window.widget("No motion found: the way is blocked");
+    ASSERT_NE(note, nullptr);
+    EXPECT_NE(note->value.find("hand with post"), std::string::npos);
+    EXPECT_NE(note->value.find("Another seed"), std::string::npos);
+    EXPECT_FALSE(window.has("Accept"));
+    EXPECT_TRUE(window.has("Plan/Plan"));
+    // Where nothing was searched another seed is no help, and is not offered.
+    failed.failure->hopeless = failed.failure->reach = true;
+    window.frame(2);
+    note = window.widget("No motion found: the way is blocked");
+    ASSERT_NE(note, nullptr);
+    EXPECT_EQ(note->value.find("Another seed"), std::string::npos);
+    EXPECT_NE(note->value.find("Move the target"), std::string::npos);
+  }
+  ui().frame();  // back in the first context
+  // A candidate: a card with numbers; Del forgets it, Enter takes it.
+  ASSERT_TRUE(driver().plan(arm));
+  ui().frame(2);
+  EXPECT_TRUE(ui().has("Accept"));
+  EXPECT_TRUE(ui().has("Discard"));
+  EXPECT_TRUE(ui().has(state().candidate->task.name));
+  EXPECT_NE(ui().value("News").find("planned and verified"), std::string::npos);
+  const Candidate candidate = *state().candidate;
+  expect_one_step([&] { ui().key(keys::kEnter); }, "Accept");
+  ASSERT_EQ(state().document->corrections.size(), 1u);
+  EXPECT_FALSE(ui().has("Accept"));
+
+  // The stack of corrections in the outliner.
+  const std::string name = state().document->corrections.front().name;
+  ui().frame(2);
+  const std::string row = "Outliner/" + name;
+  ui().click(row);
+  EXPECT_EQ(state().selected_correction, 0);
+  ui().frame(2);
+  expect_one_step([&] { ui().click(name + ".Mute"); }, "Mute");
+  EXPECT_TRUE(state().document->corrections.front().muted);
+  EXPECT_EQ(state().clip, state().source);
+  ui().click(name + ".Mute");
+  EXPECT_FALSE(state().document->corrections.front().muted);
+  ui().click(ui().centre(row), 1);
+  ui().frame(2);
+  ui().click("Go to its beginning");
+  EXPECT_NEAR(state().time, static_cast<double>(candidate.correction.begin), 1e-6);
+  ui().frame(2);
+  ui().click(name + ".Replan");
+  EXPECT_TRUE(state().document->corrections.empty());
+  EXPECT_TRUE(state().planning.active);
+  EXPECT_NEAR(draft().window->lower, static_cast<double>(candidate.correction.begin), 1e-6);
+  ui().key(keys::kEscape);
+  EXPECT_FALSE(state().planning.active);
+  driver().handle(Undo{});
+  ASSERT_EQ(state().document->corrections.size(), 1u);
+  ui().frame(2);
+  expect_one_step([&] { ui().click(name + ".Delete"); }, "Delete");
+  EXPECT_TRUE(state().document->corrections.empty());
+  EXPECT_TRUE(state().document->tasks.empty());
+  ASSERT_TRUE(driver().settle());
+}
+
+// A window that begins in contact can't be planned; what would do instead is one click away.
+TEST_F(Panels, AFailureOffersWhatWorks) {
+  const ProposedWindow& problem =
+      state().strip->limbs[static_cast<std::size_t>(arm)].windows.front();
+  const ContactInterval& contact = problem.contacts.front();
+  const double third = (contact.end - contact.begin) / 3;
+  driver().handle(
+      SetWindow{Interval{contact.begin + third, contact.end - third}, Phase::committed, arm});
+  driver().handle(Plan{});
+  ASSERT_TRUE(driver().wait_until([&] { return !state().planning.active; }));
+  ASSERT_TRUE(state().failure.has_value());
+  ASSERT_FALSE(state().failure->suggestions.empty());
+  const Suggestion suggestion = state().failure->suggestions.back();
+  ASSERT_TRUE(suggestion.works);
+  ASSERT_EQ(suggestion.kind, Suggestion::Kind::wider_window);
+  ui().frame(2);
+  expect_one_step([&] { ui().click("Use the wider window"); }, "the wider window");
+  driver().handle(Plan{});
+  EXPECT_EQ(*draft().window, suggestion.window);
+  ASSERT_TRUE(driver().wait_until([&] { return !state().planning.active; }));
+  EXPECT_TRUE(state().candidate.has_value()) << "what was tried works";
+}
+
+// Several ways: stepping through them changes what is shown and nothing else; what is accepted is
+// the one shown, in one step.
+TEST_F(Panels, WaysAreSteppedThrough) {
+  ASSERT_TRUE(driver().plan(arm));
+  ASSERT_TRUE(driver().settle());
+  // How many a scene holds is not the question here.
+  EditorState several = state();
+  several.ways = {*state().candidate, *state().candidate, *state().candidate};
+  several.ways[1].report.peak_speed += 1;
+  several.ways[2].report.peak_speed += 2;
+  ViewState view = driver().view();
+  EditorUi panels;
+  Commands commands;
+  UiDriver window(1600, 1000);
+  ImGui::GetIO().ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+  window.show([&](Ui& toolkit) {
+    press_keys(toolkit, several, view, commands);
+    panels.draw(toolkit, several, view, commands);
+  });
+  window.frame(3);
+  const auto wanted = [&]() -> std::optional<int> {
+    if (commands.size() != 1) return std::nullopt;
+    const auto* way = std::get_if<ShowWay>(&commands.front());
+    commands.clear();
+    return way ? std::optional(way->index) : std::nullopt;
+  };
+  EXPECT_EQ(window.widget("Plan/Way")->label, "Way 1 of 3");
+  window.click("Later way");
+  EXPECT_EQ(wanted(), 1);
+  window.click("Earlier way");
+  EXPECT_EQ(wanted(), -1) << "before the first comes the last";
+  window.key(keys::kPageDown);
+  EXPECT_EQ(wanted(), 1);
+  window.key(keys::kPageUp);
+  EXPECT_EQ(wanted(), -1);
+  ui().frame();
+}
+
+}  // namespace
+}  // namespace elbowroom
