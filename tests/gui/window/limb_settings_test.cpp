@@ -30,6 +30,8 @@ class LimbSettingsByMouse : public WindowTest {
     EXPECT_TRUE(editor().wait([&] {
       return std::filesystem::exists(file) && !editor().find("Path");
     })) << news();
+    // What is typed next is for the window again, not for the dialog's field.
+    editor().settle(3, 0.4);
     return read_json(file);
   }
   Pixel corner(int index) {
