@@ -331,20 +331,88 @@ double LimbIk::bend_middle(double distance, int sense, const Dofs& near, Bend& b
   const double near_angle = bend.angle;
   if (middle.kind != JointModelKind::ball) return bend_to(distance, sense, near_angle, bend);
   const double sideways = middle.side * near[middle.first_dof];
+  constexpr int kRounds = 8;
   double miss = 0;
+  bool settled = false;
   bend.axis = Vec3(0, 0, 1);
-  for (int i = 0; i < 8; ++i) {
+  for (int i = 0; i < kRounds && !settled; ++i) {
     miss = bend_to(distance, sense, 0, bend);
     bend.angle = std::remainder(bend.angle, 2 * kPi);
     const double sine = bend.angle != 0 ? sideways / bend.angle : 0.0;
     const double y = std::clamp(sine, -1.0, 1.0);
     const Vec3 axis(0, y, std::sqrt(1 - y * y));
-    if (glm::length(axis - bend.axis) < 1e-12) break;
-    const Vec3 last = bend.axis;
-    bend.axis = axis;
-    if (i == 7) bend.axis = last;  // the angle above belongs to it
+    settled = glm::length(axis - bend.axis) < 1e-12;
+    if (!settled && i + 1 < kRounds) bend.axis = axis;  // else the angle above belongs to the last
   }
-  return miss;
+  if (settled && miss == 0) return miss;
+  Bend held = bend;
+  const double held_miss = bend_sideways(distance, sense, sideways, held);
+  if (held_miss != 0 && miss == 0) return miss;
+  bend = held;
+  return held_miss;
+}
+
+// Where the limb is all but straight the axis turns so fast with the bend that the rounds above do
+// not settle, and what it reaches hangs on the sideways angle. That held, the distance is a
+// function of the flexion alone, greatest at one in the middle and falling to both sides.
+double LimbIk::bend_sideways(double distance, int sense, double sideways, Bend& bend) const {
+  const auto set = [&](double flexion) {
+    bend.angle = std::hypot(sideways, flexion);
+    bend.axis = bend.angle > 0 ? Vec3(0, sideways, flexion) / bend.angle : Vec3(0, 0, 1);
+    return glm::length(end_in_root(bend));
+  };
+  // The most stretched: the best of a few, then golden sections about it.
+  constexpr double kGolden = 0.61803398874989484820, kWidth = kPi / 8;
+  double stretched = 0, longest = -1;
+  for (double flexion = -kPi; flexion < kPi - 0.5 * kWidth; flexion += kWidth)
+    if (const double length = set(flexion); length > longest) {
+      longest = length;
+      stretched = flexion;
+    }
+  double low = stretched - kWidth, high = stretched + kWidth;
+  double c = high - kGolden * (high - low), d = low + kGolden * (high - low);
+  double at_c = set(c), at_d = set(d);
+  while (high - low > 1e-8) {
+    if (at_c >= at_d) {
+      high = d;
+      d = c;
+      at_d = at_c;
+      at_c = set(c = high - kGolden * (high - low));
+    } else {
+      low = c;
+      c = d;
+      at_c = at_d;
+      at_d = set(d = low + kGolden * (high - low));
+    }
+  }
+  stretched = 0.5 * (low + high);
+  longest = set(stretched);
+  const double reach = kReachTolerance * longest;
+  if (!(distance < longest - reach)) {
+    const double miss = distance - longest;
+    return std::abs(miss) <= reach ? 0.0 : miss;
+  }
+  // From there to the side of that sense until it is near enough: false position, Illinois.
+  double inside = stretched, over = longest - distance;
+  double outside = stretched, under = over;
+  for (int i = 1; i <= 8 && under > 0; ++i)
+    under = set(outside = stretched + (sense == 0 ? 1 : -1) * kWidth * i) - distance;
+  if (under > 0) return -under;
+  for (int i = 0; i < 60 && under < 0; ++i) {
+    const double middle = (inside * under - outside * over) / (under - over);
+    const double off = set(middle) - distance;
+    if (std::abs(off) <= 1e-15 * distance || middle == inside || middle == outside) break;
+    if (off > 0) {
+      inside = middle;
+      over = off;
+      under *= 0.5;
+    } else {
+      outside = middle;
+      under = off;
+      over *= 0.5;
+    }
+  }
+  return 0;
 }
 
 // ---------------------------------------------------------------- root, twist, end

@@ -132,6 +132,7 @@ class LimbIk {
   Vec3 end_in_root(const Bend& bend) const;
   double bend_to(double distance, int sense, double near, Bend& bend) const;
   double bend_middle(double distance, int sense, const Dofs& near, Bend& bend) const;
+  double bend_sideways(double distance, int sense, double sideways, Bend& bend) const;
   void bend_by_newton(double distance, Bend& bend) const;
   Vec3 swivel_zero(const Vec3& axis) const;
   std::optional<Aim> aim_at(const IkTarget& target, double swivel) const;

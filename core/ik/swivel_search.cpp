@@ -376,12 +376,16 @@ class Search {
     // limits are kept and a lower one not.
     for (int sense = 0; sense < 2; ++sense) {
       const auto& values = excess[static_cast<std::size_t>(sense)];
+      const std::size_t before = lowest_.size();
       for (int i = 0; i < n; ++i) {
         const double value = values[static_cast<std::size_t>(i)];
         if (std::isfinite(value) && value < values[static_cast<std::size_t>((i + n - 1) % n)] &&
             value <= values[static_cast<std::size_t>((i + 1) % n)])
           lowest_.push_back({value, at(i), sense, near});
       }
+      // What is missing does not hang on the swivel where nothing but the place is asked for.
+      if (lowest_.size() == before && std::isfinite(values.front()))
+        lowest_.push_back({values.front(), at(0), sense, near});
     }
     for (auto& values : excess)
       for (double& value : values)
