@@ -333,28 +333,36 @@ class Search {
     Dofs near;
   };
 
-  // Lowers the excess over the swivel and what else is open, one number after the other, with
-  // steps that shrink; considers what keeps limits.
+  // Lowers the excess over the swivel and what else is open, one number after the other, or two at
+  // once where limits leave a crease, with steps that shrink; considers what keeps limits.
   bool descend(Lowest at, const std::vector<int>& open) {
     double step = 4 * kPi / 180;
     for (int i = 0; i < kDescentSteps && at.excess > 0 && step > 1e-6; ++i) {
       bool lower = false;
-      for (std::size_t k = 0; k <= open.size(); ++k) {
-        for (const double move : {step, -step}) {
-          Lowest next = at;
-          if (k == open.size()) {
-            next.swivel += move;
-          } else {
-            const Dof& limits = space_.dofs[static_cast<std::size_t>(open[k])];
-            next.near[open[k]] = std::clamp(next.near[open[k]] + move, limits.lower, limits.upper);
-          }
-          next.excess = badness_at(next.swivel, next.near, next.sense);
-          if (!(next.excess < at.excess)) continue;
-          at = next;
-          lower = true;
-          break;
+      const auto moved = [&](Lowest from, std::size_t k, double move) {
+        if (k == open.size()) {
+          from.swivel += move;
+        } else {
+          const Dof& limits = space_.dofs[static_cast<std::size_t>(open[k])];
+          from.near[open[k]] = std::clamp(from.near[open[k]] + move, limits.lower, limits.upper);
         }
-      }
+        return from;
+      };
+      const auto take = [&](Lowest next) {
+        next.excess = badness_at(next.swivel, next.near, next.sense);
+        if (!(next.excess < at.excess)) return false;
+        at = next;
+        lower = true;
+        return true;
+      };
+      for (std::size_t k = 0; k <= open.size(); ++k)
+        for (const double move : {step, -step})
+          if (take(moved(at, k, move))) break;
+      for (std::size_t k = 0; k <= open.size() && !lower; ++k)
+        for (std::size_t other = k + 1; other <= open.size() && !lower; ++other)
+          for (const double one : {step, -step})
+            for (const double two : {step, -step})
+              if (!lower) take(moved(moved(at, k, one), other, two));
       step *= lower ? 1.2 : 0.4;
     }
     double unwrapped = 0;
