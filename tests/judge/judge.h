@@ -50,8 +50,8 @@ struct CollisionQuery {
   // the rest pose) along the surface of the border between limb and body, or of the limb's root
   // joint, ...
   double seam_radius = 0.08;
-  // ... and the surroundings of triangles that touch in the file's rest pose or, if named, at 240 Hz
-  // in this animation.
+  // ... and the surroundings of triangles that touch in the file's rest pose or, if named, at 240
+  // Hz in this animation.
   std::string source_animation;
   std::size_t max_hits = 200;
 };
