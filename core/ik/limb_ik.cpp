@@ -344,7 +344,9 @@ double LimbIk::bend_middle(double distance, int sense, const Dofs& near, Bend& b
     settled = glm::length(axis - bend.axis) < 1e-12;
     if (!settled && i + 1 < kRounds) bend.axis = axis;  // else the angle above belongs to the last
   }
-  if (settled && miss == 0) return miss;
+  // What is far out of reach hangs on no angle.
+  constexpr double kNearReach = 0.02;  // × distance
+  if ((settled && miss == 0) || std::abs(miss) > kNearReach * distance) return miss;
   Bend held = bend;
   const double held_miss = bend_sideways(distance, sense, sideways, held);
   if (held_miss != 0 && miss == 0) return miss;
