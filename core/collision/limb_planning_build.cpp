@@ -14,9 +14,7 @@ namespace elbowroom {
 namespace {
 
 constexpr double kClipRate = 60;  // Hz, at which the clip's own near contacts are gathered
-// × height, that lists of near triangles reach beyond what is asked.
-constexpr double kListRoom = 0.02;
-constexpr int kEndPoints = 4;  // extreme points of the end effector, and of each carried thing
+constexpr int kEndPoints = 4;     // extreme points of the end effector, and of each carried thing
 
 // `count` points far from each other and from `from`: farthest-point sampling, first of equals.
 std::vector<Vec3> extreme_points(const std::vector<Vec3>& points, const Vec3& from, int count) {
@@ -163,7 +161,6 @@ void LimbPlanningSpace::Data::build_pairs() {
       const bool within_body = settings.body_clearance >= 0 && own(a) && own(b);
       state.distance = (within_body ? settings.body_clearance : settings.clearance) +
                        (skin ? settings.margin : 0.0);
-      state.lists = state.cross_lists = NearLists(kListRoom * scene.height);
       pair_states.push_back(state);
     }
     return at->second;

@@ -13,7 +13,6 @@
 
 #include "core/collision/frame_tracks.h"
 #include "core/collision/limb_planning_space.h"
-#include "core/collision/near_lists.h"
 #include "core/collision/patch_regions.h"
 #include "core/collision/planning_parts.h"
 
@@ -80,7 +79,6 @@ struct LimbPlanningSpace::Data {
     bool near_only = false;  // some are allowed to be near but not to cross
     double distance = 0;
     PairCache cache, cross_cache;
-    NearLists lists, cross_lists;
     long hits = 0;
     std::uint64_t clear_at = 0;  // the placement at which it was found not to touch last
   };
@@ -177,8 +175,6 @@ struct LimbPlanningSpace::Data {
   bool near(int pair, const FrameTracks::Cell& cell, const Segment& segment, double more);
   // Only true if the pair's surfaces are not near; at a fraction of the cost, and no says little.
   bool surely_clear(int pair, const FrameTracks::Cell& cell, const Segment& segment, double more);
-  // Of what may be near but not cross.
-  PatchFilter cross_filter(int pair) const;
   bool touches(int pair, const FrameTracks::Cell& cell, const Segment& segment);
   std::optional<bool> piece_free(const Configuration& from, const Configuration& to, double begin,
                                  double end, std::int64_t& looks);

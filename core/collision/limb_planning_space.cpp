@@ -140,27 +140,12 @@ bool LimbPlanningSpace::Data::near(int number, const FrameTracks::Cell& cell,
                       &b = *pieces[static_cast<std::size_t>(pair.b)].mesh;
   const RigidTransform a_from_b =
       inverse(place(cell, segment, pair.a)) * place(cell, segment, pair.b);
-  // What is known from placements near by, or else all of both meshes.
-  const auto ask = [&](double distance, double least, const PatchFilter& filter, PairCache& cache,
-                       NearLists& lists) {
-    if (const auto known = lists.in_contact(a, b, a_from_b, distance, filter, &cache))
-      return *known;
-    if (in_contact(a, b, a_from_b, distance, filter, &cache)) return true;
-    lists.learn(a, b, a_from_b, least, filter);
-    return false;
-  };
-  if (ask(state.distance + more, state.distance, pair.filter, state.cache, state.lists))
-    return true;
+  if (in_contact(a, b, a_from_b, state.distance + more, pair.filter, &state.cache)) return true;
   if (!state.near_only) return false;
-  return ask(more, 0.0, cross_filter(number), state.cross_cache, state.cross_lists);
-}
-
-PatchFilter LimbPlanningSpace::Data::cross_filter(int number) const {
-  const auto k = static_cast<std::size_t>(number);
-  PatchFilter cross = pairs[k].filter;
-  cross.allowed = pair_states[k].cross;
-  cross.regions = pair_states[k].cross_regions.get();
-  return cross;
+  PatchFilter cross = pair.filter;
+  cross.allowed = state.cross;
+  cross.regions = state.cross_regions.get();
+  return in_contact(a, b, a_from_b, more, cross, &state.cross_cache);
 }
 
 bool LimbPlanningSpace::Data::surely_clear(int number, const FrameTracks::Cell& cell,
@@ -168,17 +153,17 @@ bool LimbPlanningSpace::Data::surely_clear(int number, const FrameTracks::Cell& 
   if (!bounds_near(number, cell, segment, more)) return true;
   const auto k = static_cast<std::size_t>(number);
   const Pair& pair = pairs[k];
-  PairState& state = pair_states[k];
+  const PairState& state = pair_states[k];
   const CollisionMesh &a = *pieces[static_cast<std::size_t>(pair.a)].mesh,
                       &b = *pieces[static_cast<std::size_t>(pair.b)].mesh;
   const RigidTransform a_from_b =
       inverse(place(cell, segment, pair.a)) * place(cell, segment, pair.b);
-  const auto ask = [&](double distance, const PatchFilter& filter, NearLists& lists) {
-    if (const auto known = lists.surely_farther(a, b, a_from_b, distance)) return *known;
-    return surely_farther(a, b, a_from_b, distance, filter);
-  };
-  return ask(state.distance + more, pair.filter, state.lists) &&
-         (!state.near_only || ask(more, cross_filter(number), state.cross_lists));
+  if (!surely_farther(a, b, a_from_b, state.distance + more, pair.filter)) return false;
+  if (!state.near_only) return true;
+  PatchFilter cross = pair.filter;
+  cross.allowed = state.cross;
+  cross.regions = state.cross_regions.get();
+  return surely_farther(a, b, a_from_b, more, cross);
 }
 
 bool LimbPlanningSpace::Data::touches(int number, const FrameTracks::Cell& cell,

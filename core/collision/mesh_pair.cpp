@@ -267,15 +267,6 @@ bool in_contact(const CollisionMesh& a, const CollisionMesh& b, const RigidTrans
                           [](std::uint32_t, std::uint32_t, bool, const Vec3&) { return true; });
 }
 
-bool in_one_another(const CollisionMesh& a, const CollisionMesh& b, const RigidTransform& a_from_b,
-                    const PatchFilter& filter) {
-  const Query query{a.data(), b.data(), a_from_b, 0.0, filter};
-  if (query.a.tree.empty() || query.b.tree.empty()) return false;
-  if (!is_finite(a_from_b)) return true;
-  return for_containments(query, {}, filter.allowed != nullptr,
-                          [](std::uint32_t, std::uint32_t, bool, const Vec3&) { return true; });
-}
-
 bool reach_each_other(const CollisionMesh& a, const CollisionMesh& b,
                       const RigidTransform& a_from_b, const TriangleReach& reach,
                       const PatchFilter& filter, PairCache* cache) {

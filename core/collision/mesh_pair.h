@@ -68,11 +68,6 @@ struct TriangleContact {
 bool in_contact(const CollisionMesh& a, const CollisionMesh& b, const RigidTransform& a_from_b,
                 double distance, const PatchFilter& filter = {}, PairCache* cache = nullptr);
 
-// The part of in_contact() that is about inside and outside: something of one lies wholly in the
-// other. For placements of which it is known that nothing not allowed touches.
-bool in_one_another(const CollisionMesh& a, const CollisionMesh& b, const RigidTransform& a_from_b,
-                    const PatchFilter& filter = {});
-
 // Distances by triangle: how far each of a mesh may still get.
 struct TriangleReach {
   const float* of_a = nullptr;  // one a triangle of mesh a, ≥ 0
