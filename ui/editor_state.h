@@ -62,6 +62,7 @@ struct Candidate {
   WindowReport report;
   double scene_clearance = 0;        // least room from all that is not the character, at most
                                      // kStripReach × height
+  std::vector<StripSample> room;     // the same over the window, at kStripRate
   std::shared_ptr<const Clip> clip;  // the document's motion with it
 };
 

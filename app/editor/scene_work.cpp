@@ -104,14 +104,17 @@ void SceneWork::add_way(PlanOutcome& outcome, const std::shared_ptr<const Clip>&
   candidate.report = std::move(report);
   candidate.clip = std::make_shared<const Clip>(std::move(*laid));
   scene_->set_clip(candidate.clip);
-  candidate.scene_clearance = kStripReach * scene_->height();
+  const double reach = kStripReach * scene_->height();
+  candidate.scene_clearance = reach;
   const double begin = candidate.task.window->lower, end = candidate.task.window->upper;
   const int samples = std::max(1, static_cast<int>((end - begin) * kStripRate));
-  for (int i = 0; i <= samples && !stop.stop_requested(); ++i)
-    candidate.scene_clearance =
-        std::min(candidate.scene_clearance,
-                 scene_->limb_clearance_from_scene(begin + (end - begin) * i / samples, limb,
-                                                   candidate.scene_clearance));
+  for (int i = 0; i <= samples && !stop.stop_requested(); ++i) {
+    StripSample at;
+    at.t = begin + (end - begin) * i / samples;
+    at.clearance = scene_->limb_clearance_from_scene(at.t, limb, reach);
+    candidate.scene_clearance = std::min(candidate.scene_clearance, at.clearance);
+    candidate.room.push_back(at);
+  }
   if (!stop.stop_requested()) outcome.ways.push_back(std::move(candidate));
 }
 

@@ -9,6 +9,8 @@ namespace elbowroom {
 namespace {
 
 constexpr double kDegree = kPi / 180.0;
+constexpr double kMinimumJerkRatio = 3.08;  // see limits.h
+constexpr double kBriefestMovement = 0.15;  // seconds
 
 struct Range {
   const char* name;
@@ -158,6 +160,7 @@ void append_dofs(LimbKind kind, LimbJointRole role, const JointModel& model,
     dof.sample_lower = dof.lower * range.sample_share;
     dof.sample_upper = dof.upper * range.sample_share;
     dof.speed_limit = range.speed;
+    dof.acceleration_limit = kMinimumJerkRatio / kBriefestMovement * range.speed;
     space.dofs.push_back(dof);
   }
   if (ranges.half_first > 0 && model.dof_count() >= 2) {

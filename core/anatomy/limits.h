@@ -13,6 +13,9 @@
 //   Jessop, Pain: Maximum velocities in flexion and extension actions for sport. J Human Kinetics
 //   50 (2016): up to 50 rad/s at the wrist, 28 rad/s at the knee. Novacheck: The biomechanics of
 //   running. Gait and Posture 7 (1998).
+// Acceleration limits are what such a speed asks for in the briefest movement: in a minimum-jerk
+// movement of duration D the peak acceleration is 3.08 / D times the peak speed (Flash, Hogan: The
+// coordination of arm movements. J Neuroscience 5 (1985)); D is 0.15 s.
 #pragma once
 
 #include <array>

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,8 @@ struct Dof {
   double lower = 0, upper = 0;                // limit
   double sample_lower = 0, sample_upper = 0;  // sampling interval, inside the limit
   double speed_limit = 0;                     // |dq/dt|, rad/s
+  // |d²q/dt²|, rad/s², of the curve that comes out; a search of landmarks knows no acceleration.
+  double acceleration_limit = std::numeric_limits<double>::infinity();
 };
 
 // (q[first]/half_first)² + (q[second]/half_second)² ≤ 1: the spherical ellipse of a swing

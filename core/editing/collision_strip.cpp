@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kStretch = 0.25;      // s, looked at in one go
 constexpr double kScanRate = 120;      // Hz, of the contacts' intervals
+constexpr double kSameTime = 2e-8;     // s: samples
 constexpr double kSameContact = 2e-4;  // s: intervals of one pair that are no farther apart are one
 
 bool same_pair(const ContactInterval& a, const ContactInterval& b) {
@@ -52,7 +53,8 @@ void sample(SceneCollision& scene, double t, std::vector<ContactSample>& scratch
   }
 }
 
-// Samples lie on one grid over the whole clip, so that a renewed stretch fits in.
+// Samples lie on one grid over the whole clip, so that a renewed stretch fits in, and where
+// contacts are deepest.
 double sample_time(const CollisionStrip& strip, long i) {
   return strip.begin + static_cast<double>(i) / kStripRate;
 }
@@ -62,7 +64,11 @@ long first_sample(const CollisionStrip& strip, double t) {
 }
 
 void look_at_stretch(SceneCollision& scene, double from, double to, CollisionStrip& strip) {
+  std::vector<std::size_t> known;
+  for (const LimbStrip& of_limb : strip.limbs) known.push_back(of_limb.samples.size());
+  std::vector<double> deepest;
   for (const ContactInterval& contact : scene.scan(from, to, kScanRate, -1, false)) {
+    if (contact.deepest.limb >= 0) deepest.push_back(contact.time_of_deepest);
     if (contact.deepest.limb < 0)
       append(strip.other, contact);
     else
@@ -74,6 +80,22 @@ void look_at_stretch(SceneCollision& scene, double from, double to, CollisionStr
     sample(scene, sample_time(strip, i), scratch, strip);
   if (to >= strip.end && sample_time(strip, end) <= strip.end)
     sample(scene, sample_time(strip, end), scratch, strip);
+  // What a contact is said to come to is to be found in the samples.
+  std::sort(deepest.begin(), deepest.end());
+  double last = from - 1;
+  for (const double t : deepest) {
+    const double grid = (t - strip.begin) * kStripRate;
+    if (t < from || (t >= to && to < strip.end) || t - last < kSameTime ||
+        std::abs(grid - std::round(grid)) < kSameTime * kStripRate)
+      continue;
+    sample(scene, t, scratch, strip);
+    last = t;
+  }
+  for (std::size_t limb = 0; limb < strip.limbs.size(); ++limb) {
+    auto& samples = strip.limbs[limb].samples;
+    std::stable_sort(samples.begin() + static_cast<std::ptrdiff_t>(known[limb]), samples.end(),
+                     [](const StripSample& a, const StripSample& b) { return a.t < b.t; });
+  }
 }
 
 void finish(SceneCollision& scene, CollisionStrip& strip) {
@@ -149,7 +171,6 @@ CollisionStrip renew_collision_strip(SceneCollision& scene, const CollisionStrip
   to = std::min(to, strip.end);
   // What comes later waits, so that everything is appended in order.
   CollisionStrip later = strip;
-  const long first = first_sample(strip, from), last = first_sample(strip, to);
   const auto split = [&](std::vector<ContactInterval>& before_it,
                          std::vector<ContactInterval>& after_it) {
     std::erase_if(before_it, [&](const auto& contact) { return contact.end >= from; });
@@ -161,10 +182,9 @@ CollisionStrip renew_collision_strip(SceneCollision& scene, const CollisionStrip
     split(of_limb.contacts, later.limbs[limb].contacts);
     of_limb.windows.clear();
     std::erase_if(of_limb.samples,
-                  [&](const auto& sample) { return sample.t >= sample_time(strip, first) - 1e-9; });
-    std::erase_if(later.limbs[limb].samples, [&](const auto& sample) {
-      return to >= strip.end || sample.t < sample_time(strip, last) - 1e-9;
-    });
+                  [&](const auto& sample) { return sample.t >= from - kSameTime; });
+    std::erase_if(later.limbs[limb].samples,
+                  [&](const auto& sample) { return to >= strip.end || sample.t < to - kSameTime; });
   }
   // Until it is whole again nobody is told: its end would seem unknown.
   if (!look(scene, from, to, stop, {}, strip)) {

@@ -38,7 +38,7 @@ struct CollisionStrip {
 };
 
 inline constexpr double kStripReach = 0.1;  // × height: what is farther is not measured
-inline constexpr double kStripRate = 60;    // Hz, of the samples
+inline constexpr double kStripRate = 60;  // Hz, of the samples; and one where a contact is deepest
 
 using StripSink = std::function<void(const CollisionStrip&)>;
 

@@ -16,7 +16,8 @@ constexpr int kWaysOnSkin = 1;        // where one costs a hundred times more, a
 constexpr int kHopeless = 2;          // seeds without a path, after which a view is given up
 constexpr double kGoodEnough = 0.02;  // a cost at which no more ways are looked for
 constexpr int kVerifiedInAView = 3;   // at most, for each asked for
-constexpr int kTriesForAProof = 3;    // after a motion that is verified but not proven
+constexpr int kMoreTries =
+    3;  // after a motion that is not proven, or exceeds an acceleration limit
 constexpr std::uint64_t kViewSeed = 1000003, kWaySeed = 7919;
 
 using Clock = std::chrono::steady_clock;
@@ -29,6 +30,12 @@ struct Way {
   double path_cost = 0;  // of the path that the curve was fitted along
   int landmarks = 0;
   std::vector<std::string> limits_widened;
+  bool keeps_accelerations = true;
+
+  bool better_than(const Way& other) const {
+    return keeps_accelerations != other.keeps_accelerations ? keeps_accelerations
+                                                            : cost.total() < other.cost.total();
+  }
 };
 
 struct Planned {
@@ -42,6 +49,10 @@ struct Held {
   Correction correction;
   WindowMotion motion;
   double cost = 0;
+  bool keeps_accelerations = true;
+
+  // Nothing is left to be wished for but a lower cost.
+  bool is_right() const { return report.certified && keeps_accelerations; }
 };
 
 class WindowPlanner {
@@ -111,10 +122,10 @@ class WindowPlanner {
     };
   }
 
-  // Another view shows no other ways; it may bring a proof.
+  // Another view shows no other ways; it may bring a proof, or one that hurries less.
   bool enough() const {
     if (held_.empty()) return false;
-    return brief_ || held_.front().report.certified || tries_for_proof_ <= 0;
+    return brief_ || held_.front().is_right() || more_tries_ <= 0;
   }
 
   void try_view(const PlanningView& view, std::size_t index) {
@@ -140,7 +151,8 @@ class WindowPlanner {
     const int most = (view.on_skin || brief_ ? kWaysOnSkin : kWays) * asked_;
     int planned = 0, seeds = 0;
     const auto is_good = [&] {
-      return asked_ == 1 && !ways.empty() && ways.front().cost.total() < kGoodEnough;
+      return asked_ == 1 && !ways.empty() && ways.front().keeps_accelerations &&
+             ways.front().cost.total() < kGoodEnough;
     };
     for (; seeds < most && !stop_.stop_requested() && !is_good(); ++seeds) {
       if (planned == 0 && seeds >= kHopeless) break;
@@ -185,11 +197,12 @@ class WindowPlanner {
     way.path_cost = planned.cost;
     way.landmarks = result.landmarks;
     way.limits_widened = std::move(result.limits_widened);
+    way.keeps_accelerations = result.keeps_accelerations;
     way.cost = motion_cost(p_, result.motion);
     way.motion = std::move(result.motion);
     ways.push_back(std::move(way));
     std::stable_sort(ways.begin(), ways.end(),
-                     [](const Way& a, const Way& b) { return a.cost.total() < b.cost.total(); });
+                     [](const Way& a, const Way& b) { return a.better_than(b); });
     return {};
   }
 
@@ -215,7 +228,7 @@ class WindowPlanner {
                (held_.back().report.certified
                     ? std::string("found and proven")
                     : "found and verified, not proven: " + held_.back().report.not_certified);
-      if (!held_.back().report.certified) --tries_for_proof_;
+      if (!held_.back().is_right()) --more_tries_;
       sort_held();
       if (asked_ > 1) drop_copies();
       if (static_cast<int>(held_.size()) > asked_) held_.resize(static_cast<std::size_t>(asked_));
@@ -269,17 +282,21 @@ class WindowPlanner {
     MotionCost cost = way.cost;
     cost.nearness = nearness_cost(report.min_clearance, wanted());
     report.cost = cost.total();
-    Held held{report, std::move(keyed->correction), way.motion, cost.total()};
+    Held held{report, std::move(keyed->correction), way.motion, cost.total(),
+              way.keeps_accelerations};
     held.correction.made_with = wishes_;
     held.correction.made_with.seed = way.seed;
     held_.push_back(std::move(held));
     return {};
   }
 
-  // Proven motions come before those that are only verified, and then the cheaper ones.
+  // Proven motions come before those that are only verified, then those that keep acceleration
+  // limits, then the cheaper ones.
   void sort_held() {
     std::stable_sort(held_.begin(), held_.end(), [](const Held& a, const Held& b) {
-      return a.report.certified != b.report.certified ? a.report.certified : a.cost < b.cost;
+      if (a.report.certified != b.report.certified) return a.report.certified;
+      if (a.keeps_accelerations != b.keeps_accelerations) return a.keeps_accelerations;
+      return a.cost < b.cost;
     });
   }
 
@@ -332,7 +349,7 @@ class WindowPlanner {
   WindowReport report_;
   PlanningCosts costs_;
   std::vector<Held> held_;
-  int tries_for_proof_ = kTriesForAProof;
+  int more_tries_ = kMoreTries;
 };
 
 }  // namespace

@@ -195,12 +195,15 @@ MotionResult fit_motion(const WindowProblem& p, PlanningWorld& world, const Wind
       result.reason = fitted.reason;
       return result;
     }
-    const auto name = [&p](const CurveResult::Excess& excess) {
+    const auto name = [&p](const CurveLimits::Excess& excess) {
       return p.space.dofs[static_cast<std::size_t>(excess.dof)].name;
     };
     for (const auto& excess : fitted.limit_excess) result.limits_widened.push_back(name(excess));
     for (const auto& excess : fitted.speed_excess)
       result.limits_widened.push_back(name(excess) + " (speed)");
+    for (const auto& excess : fitted.acceleration_excess)
+      result.limits_widened.push_back(name(excess) + " (acceleration)");
+    result.keeps_accelerations = result.keeps_accelerations && fitted.acceleration_kept;
     result.motion.curves.push_back(fitted.curve);
     result.motion.until.push_back(to.time);
   }

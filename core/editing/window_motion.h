@@ -74,8 +74,10 @@ struct MotionResult {
   WindowMotion motion;  // empty if there is none
   std::string reason;   // one sentence, where there is none
   int landmarks = 0;
-  // Names of DOFs whose limit, or speed limit, the state at a posture forced the curve beyond.
+  // Names of DOFs whose limit, or speed limit, the state at a posture forced the curve beyond; and
+  // whose acceleration limit it exceeds.
   std::vector<std::string> limits_widened;
+  bool keeps_accelerations = true;  // but where the clip exceeds them
 };
 struct PlanningCosts {
   double plan_ms = 0, smooth_ms = 0;

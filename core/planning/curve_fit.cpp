@@ -10,6 +10,7 @@
 #include "core/base/random.h"
 #include "core/planning/curve_check.h"
 #include "core/planning/curve_energy.h"
+#include "core/planning/curve_limits.h"
 #include "core/planning/smoothing.h"
 #include "core/planning/space_check.h"
 
@@ -27,6 +28,7 @@ constexpr int kMostTakenBack = 3;
 constexpr int kMostNudges = 32;
 constexpr double kSmallestNudge = 0.004;  // rad
 constexpr double kNudgeGrowth = 1.1;      // to 0.08 rad
+constexpr double kRelief = 30;            // times accelerations weigh where they are exceeded
 
 enum class Followed { yes, no, stopped };
 
@@ -72,6 +74,7 @@ class Fit {
     Random random(settings_.seed);
     std::int64_t failures = 0;
     Clock::time_point told = Clock::now();
+    strain_ = limits_.strain(curve_, 0, count() - 1);
     keep();
     while (result_.trials < settings_.max_trials && failures < settings_.max_consecutive_failures) {
       if (stop_.stop_requested() || seconds() >= settings_.max_seconds) break;
@@ -111,32 +114,10 @@ class Fit {
         }
       }
     }
-    for (int i = 0; i < limits_.count(); ++i) {
-      const Dof& asked = query_.space->dofs[static_cast<std::size_t>(i)];
-      const Dof& used = limits_.dofs[static_cast<std::size_t>(i)];
-      const double beyond = std::max(asked.lower - used.lower, used.upper - asked.upper);
-      const double faster = used.speed_limit - asked.speed_limit;
-      double swing = 0;
-      for (std::size_t e = 0; e < limits_.ellipses.size(); ++e) {
-        const EllipseLimit& from = query_.space->ellipses[e];
-        const EllipseLimit& to = limits_.ellipses[e];
-        if (from.first == i) swing = std::max(swing, to.half_first - from.half_first);
-        if (from.second == i) swing = std::max(swing, to.half_second - from.half_second);
-      }
-      for (std::size_t e = 0; e < limits_.polygons.size(); ++e) {
-        const PolygonLimit& from = query_.space->polygons[e];
-        for (const auto& corner : limits_.polygons[e].corners) {
-          const double out = from.gauge(corner[0], corner[1]);
-          if (!(out > 1) || (from.first != i && from.second != i)) continue;
-          const double reach = std::abs(corner[from.first == i ? 0 : 1]);
-          swing = std::max(swing, reach * (1 - 1 / out));
-        }
-      }
-      if (std::max(beyond, swing) > 1e-9) {
-        result_.limit_excess.push_back({i, std::max(beyond, swing)});
-      }
-      if (faster > 1e-9) result_.speed_excess.push_back({i, faster});
-    }
+    result_.limit_excess = limits_.limit_excess();
+    result_.speed_excess = limits_.speed_excess();
+    result_.acceleration_excess = limits_.acceleration_excess(curve_);
+    result_.acceleration_kept = limits_.strain(curve_, 0, count() - 1).kept();
   }
 
  private:
@@ -152,6 +133,7 @@ class Fit {
 
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
   int count() const { return static_cast<int>(curve_.control.size()); }
+  int dofs() const { return query_.space->count(); }
   int fixed_at_begin() const { return query_.acceleration_init ? 3 : 2; }
   int fixed_at_end() const { return query_.acceleration_goal ? 3 : 2; }
   double knot(int i) const { return curve_.knots[static_cast<std::size_t>(i)]; }
@@ -161,7 +143,6 @@ class Fit {
   // points slopes of the path; those at the ends as values, velocities and accelerations ask.
   void place_on_path() {
     const std::vector<Configuration>& path = query_.path;
-    const int dofs = path.front().q.count;
     curve_.knots = clamped_knots(breakpoints_);
     const int n = static_cast<int>(curve_.knots.size()) - 4;
     curve_.control.clear();
@@ -173,7 +154,7 @@ class Fit {
     // q'(t_init) = 3 (P1 - P0) / (k4 - k1), and q'' there = 2 (Q1 - Q0) / (k4 - k2) with the
     // derivative's control points Q_i = 3 (P_{i+1} - P_i) / (k_{i+4} - k_{i+1}); likewise at the
     // end.
-    for (int a = 0; a < dofs; ++a) {
+    for (int a = 0; a < dofs(); ++a) {
       control(1)[a] = control(0)[a] + query_.velocity_init[a] * (knot(4) - knot(1)) / 3;
       control(n - 2)[a] =
           control(n - 1)[a] - query_.velocity_goal[a] * (knot(n + 2) - knot(n - 1)) / 3;
@@ -188,42 +169,18 @@ class Fit {
         control(n - 3)[a] = control(n - 2)[a] - next * (knot(n + 1) - knot(n - 2)) / 3;
       }
     }
-    widen_to_ends();
+    limits_ = CurveLimits(*query_.space);
+    limits_.widen_to_ends(curve_, fixed_at_begin(), fixed_at_end());
     slow_down();
-  }
-
-  // What the fixed control points break is not the fit's to mend: limits give way to them.
-  void widen_to_ends() {
-    limits_ = *query_.space;
-    const auto widen_speed = [this](int i) {
-      for (int a = 0; a < limits_.count(); ++a) {
-        double& limit = limits_.dofs[static_cast<std::size_t>(a)].speed_limit;
-        limit = std::max(limit, std::abs(slope(i, a)));
-      }
-    };
-    for (int i = 0; i < fixed_at_begin(); ++i) {
-      limits_.widen_to(control(i));
-      if (i > 0) widen_speed(i - 1);
-    }
-    for (int i = count() - fixed_at_end(); i < count(); ++i) {
-      limits_.widen_to(control(i));
-      if (i < count() - 1) widen_speed(i);
-    }
-  }
-
-  // The derivative's control point between control points i and i + 1.
-  double slope(int i, int a) {
-    return 3 * (control(i + 1)[a] - control(i)[a]) / (knot(i + 4) - knot(i + 1));
   }
 
   // Next to the ends the path may be too fast to be caught up with: the first free control points
   // are drawn into the cone of speeds of their neighbours, from both ends.
   void slow_down() {
     const int n = count();
-    const int dofs = limits_.count();
     const auto draw = [&](int i, int neighbour, double span) {
-      for (int a = 0; a < dofs; ++a) {
-        const double way = limits_.dofs[static_cast<std::size_t>(a)].speed_limit * span / 3;
+      for (int a = 0; a < dofs(); ++a) {
+        const double way = limits_.space().dofs[static_cast<std::size_t>(a)].speed_limit * span / 3;
         const double middle = control(neighbour)[a];
         control(i)[a] = std::clamp(control(i)[a], middle - way, middle + way);
       }
@@ -234,16 +191,6 @@ class Fit {
     for (int i = n - fixed_at_end() - 1; i >= fixed_at_begin(); --i) {
       draw(i, i + 1, knot(i + 4) - knot(i + 1));
     }
-  }
-
-  bool keeps_limits(int i) { return limits_.within_limits(control(i)); }
-
-  bool keeps_speed(int i) {
-    for (int a = 0; a < limits_.count(); ++a) {
-      const double limit = limits_.dofs[static_cast<std::size_t>(a)].speed_limit;
-      if (!(std::abs(slope(i, a)) <= limit * (1 + 1e-9) + 1e-12)) return false;
-    }
-    return true;
   }
 
   // Minimizes the energy with some control points held to the path: none at first, then one more
@@ -302,7 +249,7 @@ class Fit {
     double size = kSmallestNudge;
     for (int attempt = 0; attempt < kMostNudges; ++attempt, size *= kNudgeGrowth) {
       Dofs shift;
-      shift.count = limits_.count();
+      shift.count = dofs();
       double square = 0;
       for (int a = 0; a < shift.count; ++a) {
         shift[a] = random.uniform(-1, 1);
@@ -329,9 +276,10 @@ class Fit {
   struct Kept {
     std::vector<Dofs> control, offsets;
     double energy = 0;
+    CurveLimits::Strain strain;
     std::int64_t accepted = 0;
   };
-  void keep() { kept_ = {curve_.control, offsets_, result_.energy, result_.accepted}; }
+  void keep() { kept_ = {curve_.control, offsets_, result_.energy, strain_, result_.accepted}; }
 
   // Tests what has changed since the last curve kept; keeps it, or goes back to that one.
   void confirm() {
@@ -350,6 +298,7 @@ class Fit {
     curve_.control = kept_.control;
     offsets_ = kept_.offsets;
     result_.energy = kept_.energy;
+    strain_ = kept_.strain;
     result_.accepted = kept_.accepted;
     // Where coarse tests keep missing something, steps are tested finely.
     if (++taken_back_ == kMostTakenBack) trial_resolution_ = settings_.resolution;
@@ -358,10 +307,11 @@ class Fit {
   // The first thing wrong with control points first ... last and the curve they act on.
   Fault find_fault(int first, int last, const EdgeResolution& resolution) {
     for (int i = first; i <= last; ++i) {
-      if (!keeps_limits(i)) return {i, i, i, i + 3, greville_abscissa(curve_.knots, i), false};
+      if (!limits_.keeps_limits(curve_, i))
+        return {i, i, i, i + 3, greville_abscissa(curve_.knots, i), false};
     }
     for (int i = first - 1; i <= last; ++i) {
-      if (!keeps_speed(i))
+      if (!limits_.keeps_speed(curve_, i))
         return {i, i + 1, i + 1, i + 3, greville_abscissa(curve_.knots, i), false};
     }
     double collision = 0;
@@ -397,7 +347,7 @@ class Fit {
   void set_offsets(const std::vector<Dofs>& d, int first, int last) {
     for (int i = first; i <= last; ++i) {
       const auto k = static_cast<std::size_t>(i);
-      for (int a = 0; a < limits_.count(); ++a) control(i)[a] = reference_[k][a] + d[k][a];
+      for (int a = 0; a < dofs(); ++a) control(i)[a] = reference_[k][a] + d[k][a];
     }
   }
 
@@ -425,26 +375,32 @@ class Fit {
     reference_.clear();
     if (query_.reference) {
       // 12 Hz: what a body does is below, the kinks of linear keys are above.
-      reference_ =
-          smoothing_spline(curve_.knots, query_.reference, limits_.count(), 1 / (2 * kPi * 12));
+      reference_ = smoothing_spline(curve_.knots, query_.reference, dofs(), 1 / (2 * kPi * 12));
     }
     if (reference_.empty()) {
       weights.position = 0;
       Dofs zero;
-      zero.count = limits_.count();
+      zero.count = dofs();
       reference_.assign(curve_.control.size(), zero);
     }
+    limits_.widen_to_accelerations({curve_.knots, reference_});
     energy_matrix_ = energy_matrix(curve_.knots, weights);
+    weights.acceleration *= kRelief;
+    weights.jerk *= kRelief;
+    relief_matrix_ = energy_matrix(curve_.knots, weights);
     offsets_ = curve_.control;
     for (std::size_t i = 0; i < offsets_.size(); ++i) {
-      for (int a = 0; a < limits_.count(); ++a) offsets_[i][a] -= reference_[i][a];
+      for (int a = 0; a < dofs(); ++a) offsets_[i][a] -= reference_[i][a];
     }
   }
 
   // One trial: a stretch of control points, all DOFs or one, towards the minimum of the energy.
   // Where that collides, a control point is first held half-way, then where it was, and the others
-  // go on. The first trial takes everything there is.
+  // go on. The first trial takes everything there is. While an acceleration limit is exceeded every
+  // other trial is a stretch about that place, towards where accelerations weigh more.
   bool try_step(Random& random, std::int64_t trial) {
+    const bool relieve = trial > 0 && !strain_.kept() && random.uniform() < 0.5;
+    const BandMatrix& matrix = relieve ? relief_matrix_ : energy_matrix_;
     const int begin = fixed_at_begin();
     const int free_count = count() - fixed_at_end() - begin;
     int first = begin, last = begin + free_count - 1, only = -1;
@@ -455,11 +411,17 @@ class Fit {
       const int length =
           std::clamp(static_cast<int>(std::lround(std::exp(random.uniform(shortest, longest)))), 1,
                      free_count);
-      first = begin +
-              static_cast<int>(random.below(static_cast<std::uint64_t>(free_count - length + 1)));
+      const int latest = begin + free_count - length;
+      if (relieve) {
+        const int back = static_cast<int>(random.below(static_cast<std::uint64_t>(length)));
+        first = std::clamp(strain_.at - back, begin, latest);
+      } else {
+        first =
+            begin + static_cast<int>(random.below(static_cast<std::uint64_t>(latest - begin + 1)));
+      }
       last = first + length - 1;
       if (random.uniform() < 0.3) {
-        only = static_cast<int>(random.below(static_cast<std::uint64_t>(limits_.count())));
+        only = static_cast<int>(random.below(static_cast<std::uint64_t>(dofs())));
       }
     }
     const std::vector<Dofs> before = curve_.control;
@@ -476,27 +438,33 @@ class Fit {
         if (share[k] == 1) {
           free.push_back(i);
         } else {
-          for (int a = 0; a < limits_.count(); ++a) d[k][a] += share[k] * (whole[k][a] - d[k][a]);
+          for (int a = 0; a < dofs(); ++a) d[k][a] += share[k] * (whole[k][a] - d[k][a]);
         }
       }
-      if (free.empty() || !minimize(energy_matrix_, free, d)) break;
+      if (free.empty() || !minimize(matrix, free, d)) break;
       if (attempt == 0) whole = d;
       if (only >= 0) {
         for (int i = first; i <= last; ++i) {
           const auto k = static_cast<std::size_t>(i);
-          for (int a = 0; a < limits_.count(); ++a) {
+          for (int a = 0; a < dofs(); ++a) {
             if (a != only) d[k][a] = offsets_[k][a];
           }
         }
       }
       const double e = energy(energy_matrix_, d);
-      if (!(e < result_.energy * (1 - settings_.worthwhile)) || !(e < result_.energy - 1e-14))
+      if (!relieve &&
+          (!(e < result_.energy * (1 - settings_.worthwhile)) || !(e < result_.energy - 1e-14)))
         break;
       set_offsets(d, first, last);
+      if (!keeps_accelerations(first, last, relieve)) {
+        curve_.control = before;
+        break;
+      }
       const Fault fault = find_fault(first, last, trial_resolution_);
       if (fault.none()) {
         offsets_ = std::move(d);
         result_.energy = e;
+        if (!strain_.kept()) strain_ = limits_.strain(curve_, 0, count() - 1);
         return true;
       }
       curve_.control = before;
@@ -510,21 +478,32 @@ class Fit {
     return false;
   }
 
+  // A step of these control points exceeds no acceleration limit; or, as long as one is exceeded,
+  // does so no more than before, or less if that is what it is for.
+  bool keeps_accelerations(int first, int last, bool relieve) const {
+    if (relieve)
+      return limits_.strain(curve_, 0, count() - 1).share <
+             strain_.share * (1 - settings_.worthwhile);
+    const CurveLimits::Strain strain = limits_.strain(curve_, first, last);
+    return strain.kept() || strain.share <= strain_.share;
+  }
+
   StateSpace& world_;
   const CurveQuery& query_;
   const CurveSettings& settings_;
   std::stop_token stop_;
   const ProgressSink& progress_;
   CurveResult& result_;
-  DofSpace limits_;  // the query's, wide enough for what is fixed at the ends
+  CurveLimits limits_;
   EdgeResolution trial_resolution_;
   Clock::time_point start_;
   std::vector<double> breakpoints_;
   Curve curve_;
-  BandMatrix energy_matrix_;
+  BandMatrix energy_matrix_, relief_matrix_;
   std::vector<Dofs> reference_;  // the clip's control points, smoothed; 0 without a clip
   std::vector<Dofs> offsets_;    // control points less those of the reference
   Kept kept_;
+  CurveLimits::Strain strain_;
   int taken_back_ = 0;
   std::vector<double> suspects_;  // times of recent collisions, latest first
 };

@@ -30,6 +30,7 @@
 
 #include "core/base/progress.h"
 #include "core/planning/curve.h"
+#include "core/planning/curve_limits.h"
 #include "core/planning/interpolation.h"
 
 namespace elbowroom {
@@ -65,13 +66,14 @@ struct CurveResult {
   CurveStatus status = CurveStatus::invalid_query;
   std::string reason;  // one sentence, where status is not solved
   Curve curve;         // a valid one also when cancelled while fairing; else empty
-  // DOFs whose limit, or speed limit, the values asked for at the ends forced the curve to exceed,
-  // and by how much at most (rad, rad/s). Empty where the caller's limits hold the clip's.
-  struct Excess {
-    int dof = 0;
-    double amount = 0;
-  };
-  std::vector<Excess> limit_excess, speed_excess;
+  // DOFs whose limit, or speed limit, the values asked for at the ends forced the curve to exceed.
+  // Empty where the caller's limits hold the clip's.
+  std::vector<CurveLimits::Excess> limit_excess, speed_excess;
+  // DOFs whose acceleration limit the curve exceeds, and by how much: because the ends or the clip
+  // itself do, or, where none of these do (acceleration_kept is false), because nothing better was
+  // found.
+  std::vector<CurveLimits::Excess> acceleration_excess;
+  bool acceleration_kept = false;
   std::int64_t trials = 0;              // give them as max_trials to get the same bytes again
   std::int64_t accepted = 0;            // of them
   int refinements = 0;                  // rounds of added knots

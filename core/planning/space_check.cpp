@@ -40,6 +40,9 @@ std::string dof_space_fault(const DofSpace& space) {
     if (!std::isfinite(dof.speed_limit) || !(dof.speed_limit > 0)) {
       return dof_name(space, i) + " has no proper speed limit";
     }
+    if (!(dof.acceleration_limit > 0)) {
+      return dof_name(space, i) + " has no proper acceleration limit";
+    }
   }
   for (const EllipseLimit& e : space.ellipses) {
     const bool indices = e.first >= 0 && e.first < space.count() && e.second >= 0 &&

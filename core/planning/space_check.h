@@ -11,8 +11,8 @@
 namespace elbowroom {
 
 // What is wrong with a DOF space, one sentence; empty if nothing is. Asked for: 1 to kMaxDofs DOFs,
-// finite limits in order, sampling intervals inside them, positive finite speed limits, ellipses of
-// existing DOFs with positive half-axes.
+// finite limits in order, sampling intervals inside them, positive finite speed limits, positive
+// acceleration limits (infinite: none), ellipses of existing DOFs with positive half-axes.
 std::string dof_space_fault(const DofSpace& space);
 
 // What is wrong with values of that space (count, NaN, infinity); empty if nothing is.

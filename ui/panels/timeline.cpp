@@ -68,17 +68,32 @@ std::vector<TimelineBump> bumps_of(const EditorState& state, const LimbStrip& st
   return bumps;
 }
 
-TimelineCurve curve_of(const LimbStrip& strip, const std::string& name, bool dashed, Tone tone) {
+TimelineCurve curve_of(const std::vector<StripSample>& samples, const std::string& name,
+                       bool dashed, Tone tone) {
   TimelineCurve curve;
   curve.name = name;
   curve.dashed = dashed;
   curve.tone = tone;
-  const std::size_t step = std::max<std::size_t>(1, strip.samples.size() / kMostCurvePoints);
-  for (std::size_t i = 0; i < strip.samples.size(); i += step) {
-    const StripSample& sample = strip.samples[i];
+  const std::size_t step = std::max<std::size_t>(1, samples.size() / kMostCurvePoints);
+  for (std::size_t i = 0; i < samples.size(); i += step) {
+    const StripSample& sample = samples[i];
     curve.samples.push_back({sample.t, sample.contact ? -sample.depth : sample.clearance});
   }
   return curve;
+}
+
+// The room of a limb's motion with a plan laid over it.
+std::vector<StripSample> with_plan(const std::vector<StripSample>& now,
+                                   const std::vector<StripSample>& planned) {
+  if (planned.empty()) return now;
+  std::vector<StripSample> all;
+  const double begin = planned.front().t, end = planned.back().t;
+  for (const StripSample& sample : now)
+    if (sample.t < begin) all.push_back(sample);
+  all.insert(all.end(), planned.begin(), planned.end());
+  for (const StripSample& sample : now)
+    if (sample.t > end) all.push_back(sample);
+  return all;
 }
 
 // What has been done on this clip by its corrections' names, and tasks that nothing came of yet.
@@ -150,13 +165,25 @@ TimelineModel model_of(const EditorState& state, const ViewState& view) {
     return s && limb >= 0 && static_cast<std::size_t>(limb) < s->limbs.size();
   };
   model.curves_label = "Clearance";
+  const auto samples = [&](const CollisionStrip& s) -> const std::vector<StripSample>& {
+    return s.limbs[static_cast<std::size_t>(limb)].samples;
+  };
+  const auto& candidate = state.candidate;
+  const bool planned =
+      candidate && limb >= 0 && has(state.strip) &&
+      candidate->task.limb == state.session->limbs[static_cast<std::size_t>(limb)].limb.name;
   const bool differs = state.strip != state.source_strip && has(state.strip);
-  if (differs && has(state.source_strip))
-    model.curves.push_back(curve_of(state.source_strip->limbs[static_cast<std::size_t>(limb)],
-                                    "before", true, Tone::problem));
-  if (has(state.strip))
-    model.curves.push_back(curve_of(state.strip->limbs[static_cast<std::size_t>(limb)],
-                                    differs ? "after" : "now", false, Tone::good));
+  if (planned) {
+    model.curves.push_back(curve_of(samples(*state.strip), "before", true, Tone::problem));
+    model.curves.push_back(
+        curve_of(with_plan(samples(*state.strip), candidate->room), "planned", false, Tone::ghost));
+  } else {
+    if (differs && has(state.source_strip))
+      model.curves.push_back(curve_of(samples(*state.source_strip), "before", true, Tone::problem));
+    if (has(state.strip))
+      model.curves.push_back(
+          curve_of(samples(*state.strip), differs ? "after" : "now", false, Tone::good));
+  }
   model.threshold = 0.0;
   return model;
 }

@@ -180,6 +180,65 @@ TEST(CurveFit, ForcedExcessIsReported) {
   }
 }
 
+// What a curve without a limit comes to says what can be asked of one with it.
+TEST(CurveFit, AccelerationLimitsAreKept) {
+  int fits = 0, kept = 0;
+  for (Problem& p : test::problems()) {
+    SCOPED_TRACE(p.world.name);
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+      for (Dof& dof : p.world.space.dofs)
+        dof.acceleration_limit = std::numeric_limits<double>::infinity();
+      const CurveQuery query = query_of(p, seed);
+      const CurveResult free = fit_curve(p.world, query, {});
+      ASSERT_EQ(free.status, CurveStatus::solved);
+      EXPECT_TRUE(free.acceleration_kept);
+      const double limit = 0.7 * free.peak_acceleration;
+      for (Dof& dof : p.world.space.dofs) dof.acceleration_limit = limit;
+      const CurveResult result = fit_curve(p.world, query, {});
+      ASSERT_EQ(result.status, CurveStatus::solved);
+      expect_curve(p, query, result);
+      ++fits;
+      kept += result.acceleration_kept;
+      double most = 0;
+      for (int k = 0; k <= 3000; ++k) {
+        const Dofs a = result.curve.second(p.init.t + (p.goal.t - p.init.t) * k / 3000.0);
+        for (int i = 0; i < a.count; ++i) most = std::max(most, std::abs(a[i]));
+      }
+      if (result.acceleration_excess.empty()) {
+        EXPECT_LE(most, limit * (1 + 1e-6));
+        EXPECT_TRUE(result.acceleration_kept);
+      } else {
+        double excess = 0;
+        for (const auto& each : result.acceleration_excess) excess = std::max(excess, each.amount);
+        EXPECT_LE(most, (limit + excess) * (1 + 1e-6));
+        EXPECT_GE(most, limit);
+      }
+      CheckCounters counters;
+      EXPECT_TRUE(curve_free(p.world, result.curve, p.init.t, p.goal.t, CurveSettings{}.resolution,
+                             {}, counters));
+    }
+  }
+  std::printf("[ limits   ] %d of %d keep an acceleration 0.7 times that without a limit\n", kept,
+              fits);
+  EXPECT_GE(kept, 0.8 * fits);
+}
+
+TEST(CurveFit, ForcedAccelerationIsReported) {
+  Problem p = std::move(test::problems()[3]);
+  for (Dof& dof : p.world.space.dofs) dof.acceleration_limit = 200;
+  CurveQuery query = query_of(p, 3);
+  Dofs a;
+  a.count = 7;
+  a[2] = 230;
+  query.acceleration_init = a;
+  const CurveResult result = fit_curve(p.world, query, {});
+  ASSERT_EQ(result.status, CurveStatus::solved) << result.reason;
+  EXPECT_TRUE(result.acceleration_kept);
+  ASSERT_EQ(result.acceleration_excess.size(), 1u);
+  EXPECT_EQ(result.acceleration_excess[0].dof, 2);
+  EXPECT_NEAR(result.acceleration_excess[0].amount, 30, 1e-6);
+}
+
 TEST(CurveFit, SameSeedAndTrialsSameBytes) {
   for (Problem& p : test::problems()) {
     SCOPED_TRACE(p.world.name);
@@ -258,6 +317,11 @@ TEST(CurveFit, HostileQueriesAreRefused) {
   }));
   EXPECT_TRUE(
       refused([&](CurveQuery& q, CurveSettings&) { q.reference = [](double) { return Dofs{}; }; }));
+  for (const double no_limit : {0.0, -1.0, nan}) {
+    DofSpace space = *good.space;
+    space.dofs[1].acceleration_limit = no_limit;
+    EXPECT_TRUE(refused([&](CurveQuery& q, CurveSettings&) { q.space = &space; }));
+  }
   EXPECT_TRUE(refused([&](CurveQuery&, CurveSettings& s) { s.knot_spacing = 0; }));
   EXPECT_TRUE(refused([&](CurveQuery&, CurveSettings& s) { s.resolution.seconds = nan; }));
   EXPECT_TRUE(refused([&](CurveQuery&, CurveSettings& s) { s.jerk_time = -1; }));
