@@ -33,6 +33,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "core/anatomy/limb_model.h"
@@ -130,6 +131,10 @@ class LimbIk {
   Bend bend_of(const Dofs& q) const;
   Vec3 bone_of(const Bend& bend) const;
   Vec3 end_in_root(const Bend& bend) const;
+  // The same angle, by whole turns, that is nearest to `near`.
+  static double nearest_turn(double angle, double near) {
+    return near + std::remainder(angle - near, 2 * kPi);
+  }
   double bend_to(double distance, int sense, double near, Bend& bend) const;
   double bend_middle(double distance, int sense, const Dofs& near, Bend& bend) const;
   double bend_sideways(double distance, int sense, double sideways, Bend& bend) const;
