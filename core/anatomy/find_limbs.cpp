@@ -279,7 +279,8 @@ class Finder {
         });
       };
       const auto add = [&](int joint) {
-        if (!along(joint) && std::find(behind.begin(), behind.end(), joint) == behind.end())
+        if (figure_.carries(joint) && !along(joint) &&
+            std::find(behind.begin(), behind.end(), joint) == behind.end())
           behind.push_back(joint);
       };
       for (const DetachedJoint& joint : detached_joints(figure_, limb, detached_[slot(kind)])) {

@@ -11,7 +11,7 @@
 //
 //   local = P⁻¹ · M · clip_P · clip_local
 //
-// M is rigid, and P is clip_P or, below another following joint, that moved rigidly: so P⁻¹ M
+// Seen from a node above both, M is rigid, and P is clip_P or, below another following joint, that moved rigidly: so P⁻¹ M
 // clip_P is rigid for any P that keeps angles, mirrors included. Where scales are uneven the place
 // is exact and the rotation the nearest.
 //

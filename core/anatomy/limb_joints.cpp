@@ -52,14 +52,8 @@ bool moves_figure_itself(const BoundFigure& figure, int joint) {
   return skin > 1e-9 * all || rigid > 0.5;
 }
 
-// What of a joint's own parent keeps it from being keyed as a rotation and translation; empty if
-// nothing does.
-std::string obstacle_to_keys(const BoundFigure& figure, int joint) {
-  if (figure.model.skeleton.joints[static_cast<std::size_t>(joint)].rest_matrix)
-    return "it is placed by a matrix";
-  const int parent = figure.parent(joint);
-  if (parent < 0) return {};
-  const Mat3 m(figure.globals[static_cast<std::size_t>(parent)]);
+// Whether a matrix keeps angles (a mirror may).
+bool keeps_angles(const Mat3& m) {
   double least = glm::length(m[0]), most = least;
   for (int c = 1; c < 3; ++c) {
     least = std::min(least, glm::length(m[c]));
@@ -68,7 +62,27 @@ std::string obstacle_to_keys(const BoundFigure& figure, int joint) {
   bool even = least > 0 && std::isfinite(most) && most - least <= kUneven * most;
   for (int c = 0; c < 3; ++c)
     even = even && std::abs(glm::dot(m[c], m[(c + 1) % 3])) <= kUneven * most * most;
-  return even ? std::string() : "what it hangs from is scaled unevenly";
+  return even;
+}
+
+// What keeps a joint from being keyed as a rotation and translation that follow a limb; empty if
+// nothing does. Uneven scales above both of them do not: seen from there both are even.
+std::string obstacle_to_keys(const BoundFigure& figure, int joint, int root) {
+  const Skeleton& skeleton = figure.model.skeleton;
+  if (skeleton.joints[static_cast<std::size_t>(joint)].rest_matrix)
+    return "it is placed by a matrix";
+  const int own = figure.parent(joint), limbs = figure.parent(root);
+  int common = own;
+  while (common >= 0 && !skeleton.is_within(limbs, common)) common = figure.parent(common);
+  const auto seen = [&](int node) {
+    const auto global = [&](int at) {
+      return at < 0 ? Mat3(1.0) : Mat3(figure.globals[static_cast<std::size_t>(at)]);
+    };
+    return glm::inverse(global(common)) * global(node);
+  };
+  if (!keeps_angles(seen(own))) return "what it hangs from is scaled unevenly";
+  if (!keeps_angles(seen(limbs))) return "what the limb hangs from is scaled unevenly";
+  return {};
 }
 
 std::string listed(const Model& model, const std::vector<int>& joints) {
@@ -171,7 +185,7 @@ std::vector<DetachedJoint> detached_joints(const BoundFigure& figure, const Limb
                                       [&](const auto& other) { return other.joint == parent; });
       if (parent >= 0 && !listed && is_apart(parent) && at(parent, root) &&
           moves_figure_itself(figure, parent))
-        detached.push_back({parent, limb.root, obstacle_to_keys(figure, parent)});
+        detached.push_back({parent, limb.root, obstacle_to_keys(figure, parent, limb.root)});
     }
     // The nearest listed one above it brings it along where it serves the same.
     const DetachedJoint* over = nullptr;
@@ -180,7 +194,7 @@ std::vector<DetachedJoint> detached_joints(const BoundFigure& figure, const Limb
           (over == nullptr || skeleton.is_within(other.joint, over->joint)))
         over = &other;
     if (over != nullptr && over->serves == serves) continue;
-    detached.push_back({joint, serves, obstacle_to_keys(figure, joint)});
+    detached.push_back({joint, serves, obstacle_to_keys(figure, joint, limb.root)});
   }
   return detached;
 }

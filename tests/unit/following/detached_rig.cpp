@@ -85,8 +85,8 @@ DetachedRig make_detached_rig(const RigOptions& options) {
   Maker maker;
   Joint top;
   top.name = "Armature";
-  top.rest.scale =
-      Vec3(options.mirrored ? -options.scale : options.scale, options.scale, options.scale);
+  const double width = (options.mirrored ? -1 : 1) * (options.uneven ? 2 : 1) * options.scale;
+  top.rest.scale = Vec3(width, options.scale, options.scale);
   maker.rig.model->skeleton.joints.push_back(top);
   maker.world.push_back(Quat(1, 0, 0, 0));
   maker.places.push_back(Vec3(0.0));

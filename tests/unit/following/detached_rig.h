@@ -15,6 +15,7 @@ namespace elbowroom::test {
 struct RigOptions {
   double scale = 1;            // of a node above everything
   bool mirrored = false;       // that node turns x over
+  bool uneven = false;         // and is twice as wide as high
   bool detached_hand = false;  // hands hang from the root too
   bool garment = false;        // trousers with a skeleton of their own
   bool twist = false;          // twist joints of the upper arms hang from the clavicles

@@ -78,12 +78,21 @@ std::pair<double, double> off(const Corrected& made, const FollowingJoint& own, 
           angle_between(rotation_of(wanted), rotation_of(shown))};
 }
 
+// How far it is turned from where the clip has it.
+double detour_of(const Corrected& made, const FollowingJoint& own, double t) {
+  Pose before = rest_pose(made.rig.model->skeleton), after = before;
+  sample_clip(*made.source, t, before);
+  sample_clip(made.clip, t, after);
+  return angle_between(rotation_of(global_of(made.rig.model->skeleton, before, own.joint)),
+                       rotation_of(global_of(made.rig.model->skeleton, after, own.joint)));
+}
+
 TEST(FollowingKeys, AFootStaysOnItsShinAtEveryTime) {
   Random random(2);
   for (const FootKeys keys : {FootKeys::linear, FootKeys::cubic, FootKeys::step, FootKeys::none}) {
     for (const RigOptions& options :
          {RigOptions{}, RigOptions{.scale = 100}, RigOptions{.scale = 0.01, .mirrored = true},
-          RigOptions{.garment = true}}) {
+          RigOptions{.garment = true}, RigOptions{.uneven = true}}) {
       SCOPED_TRACE(testing::Message() << "keys " << static_cast<int>(keys) << " scale "
                                       << options.scale << (options.garment ? " garment" : ""));
       const Corrected made = detour(options, keys);
@@ -104,13 +113,13 @@ TEST(FollowingKeys, AFootStaysOnItsShinAtEveryTime) {
           for (std::size_t i = 0; i < joint.keys.times.size(); ++i) {
             at_keys =
                 std::max(at_keys, off(made, own, static_cast<double>(joint.keys.times[i])).first);
-            moved = std::max(moved, glm::distance(joint.translations[i], joint.translations[0]));
+            moved = std::max(moved, detour_of(made, own, static_cast<double>(joint.keys.times[i])));
           }
         }
         EXPECT_LT(worst, 1.2 * kFollowingTolerance * made.length);
         EXPECT_LT(turned, 1e-3);
         EXPECT_LT(at_keys, 2e-6 * made.length);
-        EXPECT_GT(moved, 0.05 * made.length / options.scale) << "it has been moved at all";
+        EXPECT_GT(moved, 0.2) << "it has been moved at all";
       }
     }
   }
