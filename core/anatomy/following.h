@@ -11,9 +11,9 @@
 //
 //   local = P⁻¹ · M · clip_P · clip_local
 //
-// Seen from a node above both, M is rigid, and P is clip_P or, below another following joint, that moved rigidly: so P⁻¹ M
-// clip_P is rigid for any P that keeps angles, mirrors included. Where scales are uneven the place
-// is exact and the rotation the nearest.
+// Seen from a node above both, M is rigid, and P is clip_P or, below another following joint, that
+// moved rigidly: so P⁻¹ M clip_P is rigid for any P that keeps angles, mirrors included. Where
+// scales are uneven below that node the place is exact and the rotation the nearest.
 //
 // Globals may be of any space, if of one. Pure functions; any thread.
 #pragma once
