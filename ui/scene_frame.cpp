@@ -44,7 +44,8 @@ std::vector<std::uint8_t> SceneFrame::limb_nodes(const Skeleton& skeleton, const
   for (const int node : skeleton.order) {
     const int parent = skeleton.joints[static_cast<std::size_t>(node)].parent;
     nodes[static_cast<std::size_t>(node)] =
-        node == limb.root || (parent >= 0 && nodes[static_cast<std::size_t>(parent)]);
+        node == limb.root || limb.follows(node) ||
+        (parent >= 0 && nodes[static_cast<std::size_t>(parent)]);
   }
   return nodes;
 }
@@ -182,7 +183,7 @@ void SceneFrame::add_target(const EditorState& state) {
   target_world_ = world_;
   target_states_ = states_;
   ActorState& figure = target_states_.front();
-  apply_limb_state(*limb, *state.target.state, figure.pose);
+  apply_limb_state(*limb, *state.target.state, session_->scene.model().skeleton, figure.pose);
   compute_globals(session_->scene.model().skeleton, figure.pose,
                   target_world_.actors.front().world_from_file, figure.world_from_joint);
   for (std::size_t actor = 1; actor < target_world_.actors.size(); ++actor)

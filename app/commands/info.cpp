@@ -15,16 +15,27 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json limb_json(const Model& model, const Limb& limb) {
-  Json joints = Json::array();
-  for (const int joint : limb.joints)
-    joints.push_back(model.skeleton.joints[static_cast<std::size_t>(joint)].name);
   const auto name = [&](int joint) {
     return model.skeleton.joints[static_cast<std::size_t>(joint)].name;
   };
+  // From root to end, those that hang elsewhere after the ones they serve: the last is the end.
+  Json joints = Json::array(), following = Json::array();
+  const auto put_following = [&](int served) {
+    for (const FollowingJoint& other : limb.following)
+      if (other.serves == served) joints.push_back(name(other.joint));
+  };
+  for (const int joint : limb.joints) {
+    if (joint == limb.end) put_following(joint);
+    joints.push_back(name(joint));
+    if (joint != limb.end) put_following(joint);
+  }
+  for (const FollowingJoint& other : limb.following)
+    following.push_back({{"joint", name(other.joint)}, {"serves", name(other.serves)}});
   Json beside = Json::array();
   for (const int joint : limb.beside) beside.push_back(name(joint));
   return {{"joints", joints},      {"root", name(limb.root)}, {"middle", name(limb.middle)},
-          {"end", name(limb.end)}, {"beside", beside},        {"why", limb.why}};
+          {"end", name(limb.end)}, {"beside", beside},        {"following", following},
+          {"why", limb.why}};
 }
 
 void print_text(const Model& model, const Json& info) {

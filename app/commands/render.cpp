@@ -102,6 +102,8 @@ int run_render(const RenderOptions& options, Interruption& interruption) {
   }
   if (acting >= 0) {
     request.limb = session->limbs[static_cast<std::size_t>(acting)].limb.joints;
+    for (const auto& own : session->limbs[static_cast<std::size_t>(acting)].limb.following)
+      request.limb.push_back(own.joint);
     std::string limb = session->limbs[static_cast<std::size_t>(acting)].limb.name;
     std::replace(limb.begin(), limb.end(), '_', ' ');
     request.caption += "   " + limb;

@@ -102,8 +102,10 @@ void Editor::click(const command::Click& click) {
     return;
   }
   if (!hit || hit->actor != 0 || hit->joint < 0) return;
+  const Skeleton& skeleton = session_->scene.model().skeleton;
   for (std::size_t i = 0; i < session_->limbs.size(); ++i)
-    if (session_->scene.model().skeleton.is_within(hit->joint, session_->limbs[i].limb.root))
+    if (SceneFrame::limb_nodes(skeleton,
+                               session_->limbs[i].limb)[static_cast<std::size_t>(hit->joint)])
       select_limb(static_cast<int>(i));
 }
 

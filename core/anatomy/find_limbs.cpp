@@ -40,6 +40,7 @@ class Finder {
     take_shapes();
     settle_sides();
     drop_denied();
+    settle_following();
     warn_of_left_behind();
     LimbFindings findings;
     for (const LimbKind kind : kKinds) {
@@ -137,9 +138,8 @@ class Finder {
         reasons_[slot(kind)] = limb.why;
         continue;
       }
+      detached_[slot(kind)] = limb.detached;
       put(kind, limb.root, limb.middle, limb.end, limb.why);
-      for (const std::string& warning : limb.warnings)
-        limb_warnings_[slot(kind)].push_back(warning);
       unsure_[slot(kind)] = limb.side_by_place;
       found_[slot(kind)]->named_side = !limb.side_by_place;
     }
@@ -234,6 +234,7 @@ class Finder {
         std::swap(found_[slot(left)], found_[slot(right)]);
         std::swap(limb_warnings_[slot(left)], limb_warnings_[slot(right)]);
         std::swap(reasons_[slot(left)], reasons_[slot(right)]);
+        std::swap(detached_[slot(left)], detached_[slot(right)]);
       }
       for (const LimbKind kind : {left, right}) {
         if (!found_[slot(kind)]) continue;
@@ -246,24 +247,56 @@ class Finder {
     }
   }
 
+  // A joint follows one limb, from outside all others.
+  void settle_following() {
+    std::vector<Limb*> all;
+    for (const LimbKind kind : kKinds)
+      if (found_[slot(kind)]) all.push_back(&*found_[slot(kind)]);
+    for (Limb& chain : chains_) all.push_back(&chain);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      std::erase_if(all[i]->following, [&](const FollowingJoint& own) {
+        for (std::size_t k = 0; k < all.size(); ++k) {
+          if (k == i) continue;
+          if (model_.skeleton.is_within(own.joint, all[k]->root) ||
+              model_.skeleton.is_within(all[k]->root, own.joint) ||
+              (k < i && all[k]->follows(own.joint)))
+            return true;
+        }
+        return false;
+      });
+  }
+
+  // Of what belongs to a limb but hangs elsewhere, what cannot follow it.
   void warn_of_left_behind() {
     for (const LimbKind kind : kKinds) {
       if (!found_[slot(kind)]) continue;
-      std::vector<std::string>& warnings = limb_warnings_[slot(kind)];
-      std::vector<int> behind = left_behind(figure_, *found_[slot(kind)]);
-      std::erase_if(behind, [&](int joint) {  // those already spoken of
-        return std::any_of(warnings.begin(), warnings.end(), [&](const auto& warning) {
-          return warning.find(quoted(joint)) != std::string::npos;
+      const Limb& limb = *found_[slot(kind)];
+      std::vector<int> behind;
+      std::string reason = "it is another limb's too, or too far away";
+      const auto along = [&](int joint) {
+        return std::any_of(limb.following.begin(), limb.following.end(), [&](const auto& own) {
+          return model_.skeleton.is_within(joint, own.joint);
         });
-      });
+      };
+      const auto add = [&](int joint) {
+        if (figure_.carries(joint) && !along(joint) &&
+            std::find(behind.begin(), behind.end(), joint) == behind.end())
+          behind.push_back(joint);
+      };
+      for (const DetachedJoint& joint : detached_joints(figure_, limb, detached_[slot(kind)])) {
+        if (!joint.obstacle.empty() && behind.empty()) reason = joint.obstacle;
+        add(joint.joint);
+      }
+      for (const int joint : detached_[slot(kind)]) add(joint);
       if (behind.empty()) continue;
       const int parent = figure_.parent(behind.front());
       const std::string from = parent < 0 ? " free" : " from " + quoted(parent);
       const std::string more = " and " + std::to_string(behind.size() - 1) + " more";
-      warnings.push_back(quoted(behind.front()) +
-                         (behind.size() == 1 ? " belongs to it by its place but hangs"
-                                             : more + " belong to it by their place but hang") +
-                         from + ", and will not follow it");
+      limb_warnings_[slot(kind)].push_back(
+          quoted(behind.front()) +
+          (behind.size() == 1 ? " belongs to it by its name or place but hangs"
+                              : more + " belong to it by their name or place but hang") +
+          from + ", and will not follow it: " + reason);
     }
   }
 
@@ -305,7 +338,7 @@ class Finder {
     limb.middle = middle;
     limb.end = end;
     limb.why = why;
-    complete_limb(figure_, limb);
+    complete_limb(figure_, limb, detached_[slot(kind)]);
     limb.named_side = true;
     found_[slot(kind)] = limb;
   }
@@ -319,6 +352,7 @@ class Finder {
   std::array<bool, 4> unsure_{};  // which side it is on was guessed
   std::array<std::string, 4> reasons_;
   std::array<std::vector<std::string>, 4> limb_warnings_;
+  std::array<std::vector<int>, 4> detached_;  // NamedLimb's
   Vec3 left_{0.0};            // of pairs found by shape, for the time being; none: not chosen
   std::vector<Limb> chains_;  // set by hand
   std::vector<std::string> warnings_;

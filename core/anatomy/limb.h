@@ -3,7 +3,8 @@
 //
 // A limb is an open linkage from its root (shoulder, hip) over its middle (elbow, knee) to its end
 // (wrist, ankle). Between and beside them may stand twist or helper joints: driven joints, which
-// keep their clip relation to the limb joint they serve.
+// keep their clip relation to the limb joint they serve. Some of these hang from elsewhere in the
+// tree (a foot from the rig's root, a garment's own skeleton): the limb takes them along.
 //
 // Whose word counts: the animator's own, then the file's (VRM's humanoid bones), then the joints'
 // names, then the figure's shape (core/anatomy/shaped_limbs.h).
@@ -22,16 +23,26 @@ enum class LimbKind { left_arm, right_arm, left_leg, right_leg, chain };
 
 const char* limb_id(LimbKind kind);  // "left_arm", ... as on the command line and in reports
 
+// A driven joint that hangs from none of the limb's own. It keeps its clip relation to the joint it
+// serves, and what hangs from it comes along: core/anatomy/following.h.
+struct FollowingJoint {
+  int joint = -1;
+  int serves = -1;  // of Limb::joints
+  bool operator==(const FollowingJoint&) const = default;
+};
+
 struct Limb {
   LimbKind kind = LimbKind::chain;
   std::string name;         // limb_id, or FROM..TO for a chain
   std::vector<int> joints;  // node indices, root to end, driven ones between them included
   std::vector<int> beside;  // twist joints that hang from root or middle and lie along its bone
-  int root = -1, middle = -1, end = -1;  // shoulder/hip, elbow/knee, wrist/ankle
-  std::string why;                       // what the finding rests on, for people
-  bool named_side = false;               // the file or its names say which side it is on
+  std::vector<FollowingJoint> following;  // parents first
+  int root = -1, middle = -1, end = -1;   // shoulder/hip, elbow/knee, wrist/ankle
+  std::string why;                        // what the finding rests on, for people
+  bool named_side = false;                // the file or its names say which side it is on
 
   bool is_arm() const { return kind == LimbKind::left_arm || kind == LimbKind::right_arm; }
+  bool follows(int joint) const;  // it is one of `following`
   bool is_left() const { return kind == LimbKind::left_arm || kind == LimbKind::left_leg; }
 };
 
@@ -39,7 +50,7 @@ struct LimbFindings {
   std::vector<Limb> limbs;            // at most one of each kind
   std::vector<std::string> warnings;  // one for each limb not found, with the reason and what can
                                       // be done; and what is odd about those found: joints that
-                                      // will not follow a limb though they belong to it
+                                      // cannot follow a limb though they belong to it
 };
 
 // What an animator says that a limb goes from and to, by joint names (or node indices): of an arm

@@ -32,7 +32,7 @@
 namespace elbowroom {
 
 // A joint between or beside the limb's own (a twist or helper bone): its local rotation relative to
-// what the clip has is kept.
+// what the clip has is kept. Those that hang elsewhere are Limb::following.
 struct DrivenJoint {
   int joint = -1;
   int serves = -1;  // node index of the limb joint it follows
@@ -71,6 +71,10 @@ LimbState limb_state(const LimbModel& limb, const Pose& pose, const LimbState* p
 
 // Writes the limb joints' local rotations into the pose (nothing else of it changes).
 void apply_limb_state(const LimbModel& limb, const LimbState& state, Pose& pose);
+// The same, and what follows the limb from elsewhere in the tree comes along, in the relation that
+// it has to the limb in the pose given.
+void apply_limb_state(const LimbModel& limb, const LimbState& state, const Skeleton& skeleton,
+                      Pose& pose);
 
 // For people: shoulder raise (0 hanging, 90° level, 180° overhead) and forward (0 to the side, 90°
 // straight ahead) of a root joint's swing, radians.

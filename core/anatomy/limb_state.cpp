@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/anatomy/following.h"
 #include "core/anatomy/limb_clip.h"
 #include "core/anatomy/limb_model.h"
 
@@ -80,6 +81,14 @@ void apply_limb_state(const LimbModel& limb, const LimbState& state, Pose& pose)
     pose.local[static_cast<std::size_t>(joint.joint)].rotation =
         local_rotation(joint, state.q.value.data() + joint.first_dof, state.residual[i]);
   }
+}
+
+void apply_limb_state(const LimbModel& limb, const LimbState& state, const Skeleton& skeleton,
+                      Pose& pose) {
+  if (limb.limb.following.empty()) return apply_limb_state(limb, state, pose);
+  const Pose clip = pose;
+  apply_limb_state(limb, state, pose);
+  pose_following(limb.limb, skeleton, clip, pose);
 }
 
 LimbState limb_state_at(const LimbModel& limb, const Model& model, const Clip& clip, double t,

@@ -231,17 +231,6 @@ std::vector<int> detached_ends(const NamedFigure& figure, const LimbFamily& fami
   return detached;
 }
 
-// What is said of them.
-std::string detached_words(const NamedFigure& figure, const std::vector<int>& detached) {
-  const int parent = figure.figure.parent(detached.front());
-  std::string words = figure.quoted(detached.front());
-  if (detached.size() > 1)
-    words += " and " + std::to_string(detached.size() - 1) + " more of its end";
-  words += detached.size() > 1 ? " hang " : " hangs ";
-  words += parent < 0 ? "free" : "from " + figure.quoted(parent);
-  return words + ", not from the limb, and will not follow it";
-}
-
 // Some rigs split a bone and call its first half the twist ("thigh_twist" above "thigh_stretch"):
 // that is where the limb begins.
 void begin_at_the_first_half(const NamedFigure& figure, const LimbFamily& family, Chain& chain) {
@@ -302,13 +291,7 @@ NamedLimb find_one(const NamedFigure& figure, const LimbFamily& family, LimbKind
                figure.quoted(chain->end) + " lie in one place";
     return limb;
   }
-  const std::vector<int> detached = detached_ends(figure, family, candidates, side, *chain);
-  if (!detached.empty()) {
-    const std::string what = detached_words(figure, detached);
-    if (!chain->remark.empty()) chain->remark += "; ";
-    chain->remark += what;
-    limb.warnings.push_back(what);
-  }
+  limb.detached = detached_ends(figure, family, candidates, side, *chain);
   limb.root = chain->root;
   limb.middle = chain->middle;
   limb.end = chain->end;

@@ -15,7 +15,7 @@ namespace elbowroom {
 struct NamedLimb {
   int root = -1, middle = -1, end = -1;  // -1: not found
   std::string why;                       // what it rests on; of one not found, why not
-  std::vector<std::string> warnings;     // what is odd about it
+  std::vector<int> detached;             // hand or foot, fingers or toes that do not hang from it
   bool side_by_place = false;            // the names tell no sides
 };
 

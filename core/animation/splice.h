@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Puts a corrected stretch into a rotation channel: the source outside the window, new keys inside
-// (DESIGN.md, "Keys").
+// Puts a corrected stretch into a rotation or translation channel: the source outside the window,
+// new keys inside (DESIGN.md, "Keys").
 //
 // What holds for the result:
 // * Source keys outside [window_begin, window_end] keep their bits, times and values.
@@ -26,6 +26,10 @@
 // * No source channel: the joint's rest rotation holds outside; CUBICSPLINE if derivatives are
 //   given, else LINEAR.
 //
+// For translations the same holds, and more simply: LINEAR and CUBICSPLINE segments that the window
+// cuts are cut exactly (to the rounding of the key at the cut, which is float32), planned keys are
+// joined by straight lines, and without a source channel the rest translation holds outside.
+//
 // A spliced channel can be spliced again. Pure functions, safe on any thread.
 #pragma once
 
@@ -48,6 +52,13 @@ struct RotationKeys {
 // value is what is written there.
 inline constexpr double kBorderTolerance = 1e-4;
 
+// A planned translation, local to the joint's parent.
+struct TranslationKeys {
+  std::vector<float> times;  // seconds, strictly increasing, inside the window
+  std::vector<Vec3> values;  // one a time
+  bool operator==(const TranslationKeys&) const = default;
+};
+
 // The interpolation the result will have.
 Interpolation spliced_interpolation(const Channel* source, bool with_derivatives);
 
@@ -59,6 +70,12 @@ Interpolation spliced_interpolation(const Channel* source, bool with_derivatives
 // window's end.
 Result<Channel> splice_rotation(const Channel* source, const Quat& rest, int joint,
                                 float window_begin, float window_end, const RotationKeys& keys);
+
+// The same of a translation. At a window's end a key may be off the source by kBorderTolerance of
+// the longest translation among the keys and the source there.
+Result<Channel> splice_translation(const Channel* source, const Vec3& rest, int joint,
+                                   float window_begin, float window_end,
+                                   const TranslationKeys& keys);
 
 // A copy of the clip in which each of `spliced` replaces the channel of its joint and path, or is
 // added. Untouched channels keep their source_channel, which is how an exporter knows them; begin

@@ -38,14 +38,32 @@ std::vector<int> joints_of_triangles(const Mesh& mesh) {
   return joints;
 }
 
+namespace {
+
+// Of one of the limb's own joints.
+int segment_of(const Limb& limb, int joint) {
+  int segment = kUpperSegment;
+  for (const int at : limb.joints) {
+    if (at == limb.middle) segment = kLowerSegment;
+    if (at == limb.end) segment = kEndSegment;
+    if (at == joint) break;
+  }
+  return segment;
+}
+
+}  // namespace
+
 std::vector<LimbSide> limb_sides(const Skeleton& skeleton, const std::vector<Limb>& limbs) {
   std::vector<LimbSide> sides(static_cast<std::size_t>(skeleton.size()));
   for (const int joint : skeleton.order) {
     const auto at = static_cast<std::size_t>(joint);
     const int parent = skeleton.joints[at].parent;
     if (parent >= 0) sides[at] = sides[static_cast<std::size_t>(parent)];
-    for (std::size_t l = 0; l < limbs.size(); ++l)
+    for (std::size_t l = 0; l < limbs.size(); ++l) {
       if (limbs[l].root == joint) sides[at] = {static_cast<int>(l), kUpperSegment};
+      for (const FollowingJoint& own : limbs[l].following)
+        if (own.joint == joint) sides[at] = {static_cast<int>(l), segment_of(limbs[l], own.serves)};
+    }
     if (sides[at].limb < 0) continue;
     const Limb& limb = limbs[static_cast<std::size_t>(sides[at].limb)];
     if (joint == limb.middle) sides[at].segment = kLowerSegment;
@@ -59,7 +77,8 @@ int enclosing_limb(const Skeleton& skeleton, const std::vector<Limb>& limbs, int
   int joint = root < 0 ? -1 : skeleton.joints[static_cast<std::size_t>(root)].parent;
   for (; joint >= 0; joint = skeleton.joints[static_cast<std::size_t>(joint)].parent)
     for (std::size_t l = 0; l < limbs.size(); ++l)
-      if (static_cast<int>(l) != limb && limbs[l].root == joint) return static_cast<int>(l);
+      if (static_cast<int>(l) != limb && (limbs[l].root == joint || limbs[l].follows(joint)))
+        return static_cast<int>(l);
   return -1;
 }
 

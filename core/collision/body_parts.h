@@ -5,7 +5,9 @@
 // A body part is the triangles of a character that follow one joint: the joint with the greatest
 // sum of weights over the triangle's three vertices (of equal ones the lowest index), or, for a
 // rigid mesh that hangs below a joint, that joint. A limb's side is everything that follows its
-// root joint or anything below it: hand, fingers, driven joints, a sword in the hand.
+// root joint or anything below it: hand, fingers, driven joints, a sword in the hand; and what the
+// limb takes along from elsewhere in the tree (Limb::following), with the segment of the joint that
+// it serves.
 #pragma once
 
 #include <string>

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/animation/affine.h"
 #include "core/collision/world_steps.h"
 
 namespace elbowroom {
@@ -108,9 +109,15 @@ void FrameTracks::fill_row(std::uint32_t row) {
     const Actor& actor = world_.actors[static_cast<std::size_t>(local_nodes_.actor)];
     const Skeleton& skeleton = actor.model->skeleton;
     const ActorState& state = states_[static_cast<std::size_t>(local_nodes_.actor)];
-    for (std::size_t n = 0; n < local_nodes_.nodes.size(); ++n)
-      locals_[row * local_nodes_.nodes.size() + n] =
-          state.pose.local[static_cast<std::size_t>(local_nodes_.nodes[n])];
+    for (std::size_t n = 0; n < local_nodes_.nodes.size(); ++n) {
+      const auto node = static_cast<std::size_t>(local_nodes_.nodes[n]);
+      Transform& local = locals_[row * local_nodes_.nodes.size() + n];
+      local = state.pose.local[node];
+      const int below = n < local_nodes_.below.size() ? local_nodes_.below[n] : Locals::kOwnParent;
+      if (below == Locals::kOwnParent) continue;
+      const Mat4 inverse = glm::inverse(state.world_from_joint[static_cast<std::size_t>(below)]);
+      local = decompose(multiply_affine(inverse, state.world_from_joint[node]));
+    }
     const int root = local_nodes_.nodes.front();
     const int parent = skeleton.joints[static_cast<std::size_t>(root)].parent;
     // A root's parent is the file's own placement: what its matrix leaves of its local transform.

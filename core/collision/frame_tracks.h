@@ -27,10 +27,13 @@ class FrameTracks {
   struct Node {
     int actor = -1, node = -1;
   };
-  // Local transforms that are wanted beside the frames (a limb's own nodes), of one actor.
+  // Local transforms that are wanted beside the frames (a limb's own nodes), of one actor. By node:
+  // below which other node it is wanted, where that is not its own parent (Limb::following); empty:
+  // all below their own.
   struct Locals {
+    static constexpr int kOwnParent = -1;
     int actor = -1;
-    std::vector<int> nodes;
+    std::vector<int> nodes, below;
   };
   FrameTracks(World world, std::vector<Node> nodes, Locals locals, double begin, double end);
 

@@ -38,18 +38,26 @@ std::vector<Vec3> extreme_points(const std::vector<Vec3>& points, const Vec3& fr
 
 }  // namespace
 
-// The limb's nodes that move parts or lead to ones that do.
+// The limb's nodes that move parts or lead to ones that do; after its own those that follow it.
 void LimbPlanningSpace::Data::build_chain() {
   const Model& model = *world.actors[static_cast<std::size_t>(scene.actor)].model;
   const Skeleton& skeleton = model.skeleton;
   const std::size_t count = skeleton.joints.size();
   std::vector<bool> wanted(count, false);
+  const auto follows = [&](int node) {
+    return std::any_of(limb.limb.following.begin(), limb.limb.following.end(),
+                       [&](const auto& own) { return skeleton.is_within(node, own.joint); });
+  };
   const auto want = [&](int node) {
-    for (int at = node; at >= 0 && skeleton.is_within(at, limb.limb.root);
+    for (int at = node; at >= 0 && (skeleton.is_within(at, limb.limb.root) || follows(at));
          at = skeleton.joints[static_cast<std::size_t>(at)].parent)
       wanted[static_cast<std::size_t>(at)] = true;
   };
   for (const JointModel& joint : limb.joints) want(joint.joint);
+  for (const FollowingJoint& own : limb.limb.following) {
+    want(own.joint);
+    want(own.serves);
+  }
   for (const PlanningPart& part : pieces)
     if (part.actor == scene.actor && part.of_limb) want(part.node);
   for (const Actor& actor : world.actors)
@@ -58,18 +66,26 @@ void LimbPlanningSpace::Data::build_chain() {
       want(actor.attachment->joint);
 
   chain.number.assign(count, -1);
-  for (const int n : skeleton.order) {
-    if (!wanted[static_cast<std::size_t>(n)]) continue;
+  const auto number = [&](int node) { return chain.number[static_cast<std::size_t>(node)]; };
+  const auto add = [&](int n) {
     Chain::Node node;
     node.node = n;
     if (n != limb.limb.root)
-      node.parent = chain.number[static_cast<std::size_t>(
-          skeleton.joints[static_cast<std::size_t>(n)].parent)];
+      node.parent = number(skeleton.joints[static_cast<std::size_t>(n)].parent);
+    for (const FollowingJoint& own : limb.limb.following) {
+      if (own.joint != n) continue;
+      node.parent = number(own.serves);
+      node.follows = true;
+    }
     for (std::size_t j = 0; j < limb.joints.size(); ++j)
       if (limb.joints[j].joint == n) node.dof_joint = static_cast<int>(j);
     chain.number[static_cast<std::size_t>(n)] = static_cast<int>(chain.nodes.size());
     chain.nodes.push_back(node);
-  }
+  };
+  for (const bool own : {true, false})
+    for (const int n : skeleton.order)
+      if (wanted[static_cast<std::size_t>(n)] && skeleton.is_within(n, limb.limb.root) == own)
+        add(n);
   links.resize(chain.nodes.size());
 }
 

@@ -27,8 +27,9 @@ inline constexpr int kWorld = -1;
 struct Chain {
   struct Node {
     int node = -1;
-    int parent = -1;     // in the chain, -1 for the limb's root
-    int dof_joint = -1;  // index in LimbModel::joints, -1: as in the clip
+    int parent = -1;       // in the chain, -1 for the limb's root
+    bool follows = false;  // from elsewhere in the tree: its parent here is the joint it serves
+    int dof_joint = -1;    // index in LimbModel::joints, -1: as in the clip
     bool scaled = false;
   };
   std::vector<Node> nodes;

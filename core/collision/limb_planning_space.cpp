@@ -198,8 +198,10 @@ LimbPlanningSpace::LimbPlanningSpace(const SceneCollision& scene, int limb, doub
     if (!d.world.actors[i].model) continue;
     std::vector<int> apart;
     if (static_cast<int>(i) == d.scene.actor) {
-      for (const LimbModel& each : d.scene.limbs)
+      for (const LimbModel& each : d.scene.limbs) {
         for (const JointModel& joint : each.joints) apart.push_back(joint.joint);
+        for (const FollowingJoint& own : each.limb.following) apart.push_back(own.joint);
+      }
     }
     link[i] =
         rigid_links(d.world, static_cast<int>(i), t_init, t_goal, apart, 1e-4 * d.scene.height);
@@ -218,7 +220,11 @@ LimbPlanningSpace::LimbPlanningSpace(const SceneCollision& scene, int limb, doub
   }
   FrameTracks::Locals locals;
   locals.actor = d.scene.actor;
-  for (const Chain::Node& node : d.chain.nodes) locals.nodes.push_back(node.node);
+  for (const Chain::Node& node : d.chain.nodes) {
+    locals.nodes.push_back(node.node);
+    locals.below.push_back(node.follows ? d.chain.nodes[static_cast<std::size_t>(node.parent)].node
+                                        : FrameTracks::Locals::kOwnParent);
+  }
   d.tracks =
       std::make_unique<FrameTracks>(d.world, std::move(nodes), std::move(locals), t_init, t_goal);
   d.placed.resize(d.pieces.size());

@@ -71,7 +71,11 @@ struct Builder {
     const Model& model = *actor.model;
     const Character& character = model.characters[static_cast<std::size_t>(character_index)];
     const std::string owner = character.name.empty() ? owner_name(actor) : character.name;
-    const std::vector<bool> moving = moving_nodes(actor);
+    std::vector<bool> moving = moving_nodes(actor);
+    if (own)
+      for (const LimbModel& limb : data.limbs)
+        for (const FollowingJoint& joint : limb.limb.following)
+          moving[static_cast<std::size_t>(joint.joint)] = true;
     // Keys: is it rigid, whose side, which frame.
     using Key = std::tuple<bool, int, int, int>;
     std::map<Key, std::vector<BodyTriangle>> pieces;

@@ -49,6 +49,15 @@ Status check_query(const World& world, int actor, int character,
     for (const int joint : {limb.limb.root, limb.limb.middle, limb.limb.end})
       if (joint < 0 || joint >= model.skeleton.size())
         return Error{"the limb " + limb.limb.name + " names a joint that is not there", file, ""};
+  for (const LimbModel& limb : limbs)
+    for (const FollowingJoint& own : limb.limb.following)
+      if (own.joint < 0 || own.joint >= model.skeleton.size() || own.serves < 0 ||
+          own.serves >= model.skeleton.size() ||
+          !model.skeleton.is_within(own.serves, limb.limb.root) ||
+          model.skeleton.is_within(own.joint, limb.limb.root) ||
+          model.skeleton.is_within(limb.limb.root, own.joint))
+        return Error{"the limb " + limb.limb.name + " is followed by a joint that is no such", file,
+                     "find the limb anew"};
   if (!(std::isfinite(begin) && std::isfinite(end) && begin <= end))
     return Error{"the time interval is empty or not finite", file, "give begin ≤ end in seconds"};
   if (!(settings.height >= 0 && std::isfinite(settings.height)))

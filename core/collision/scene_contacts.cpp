@@ -201,7 +201,8 @@ void Data::pose(double t, bool source) {
   if (!source && !plain) {
     ActorState& state = states[static_cast<std::size_t>(actor)];
     for (std::size_t l = 0; l < limbs.size(); ++l)
-      if (posed_limbs[l]) apply_limb_state(limbs[l], *posed_limbs[l], state.pose);
+      if (posed_limbs[l])
+        apply_limb_state(limbs[l], *posed_limbs[l], self.model->skeleton, state.pose);
     Mat4 world_from_file = self.world_from_file;
     const auto& attachment = self.attachment;
     if (attachment && attachment->begin <= t && t <= attachment->end && attachment->actor >= 0 &&

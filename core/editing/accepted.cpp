@@ -32,9 +32,15 @@ std::string unfit(const Entry& entry, const LimbModel& limb, const Skeleton& ske
   for (const JointKeys& keys : correction.joints) {
     const bool own = std::any_of(limb.joints.begin(), limb.joints.end(),
                                  [&](const JointModel& joint) { return joint.joint == keys.node; });
-    if (!own || skeleton.joints[static_cast<std::size_t>(keys.node)].name != keys.joint)
+    if (!(own || limb.limb.follows(keys.node)) ||
+        skeleton.joints[static_cast<std::size_t>(keys.node)].name != keys.joint)
       return "its keys are of " + keys.joint + ", which is no joint of " + limb.limb.name;
   }
+  for (const FollowingJoint& follower : limb.limb.following)
+    if (std::none_of(correction.joints.begin(), correction.joints.end(),
+                     [&](const JointKeys& keys) { return keys.node == follower.joint; }))
+      return "it has no keys of " + skeleton.joints[static_cast<std::size_t>(follower.joint)].name +
+             ", which follows " + limb.limb.name;
   return {};
 }
 

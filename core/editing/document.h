@@ -75,6 +75,9 @@ struct JointKeys {
   std::string joint;  // name; the index is the truth where names repeat
   int node = -1;
   RotationKeys keys;
+  // Of a joint that follows the limb from elsewhere in the tree: one for each of keys.times. Else
+  // none; the joint keeps its clip's.
+  std::vector<Vec3> translations{};
   bool operator==(const JointKeys&) const = default;
 };
 

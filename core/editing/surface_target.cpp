@@ -61,6 +61,12 @@ double hand_length(const Model& model, const Character& character, const Limb& l
   double length = 0;
   std::vector<Vec3> positions;
   const Pose pose = rest_pose(model.skeleton);
+  const auto is_hands = [&](int joint) {
+    return model.skeleton.is_within(joint, limb.end) ||
+           std::any_of(limb.following.begin(), limb.following.end(), [&](const auto& own) {
+             return own.serves == limb.end && model.skeleton.is_within(joint, own.joint);
+           });
+  };
   for (const int m : character.meshes) {
     const Mesh& mesh = model.meshes[static_cast<std::size_t>(m)];
     if (mesh.skin < 0) continue;
@@ -70,7 +76,7 @@ double hand_length(const Model& model, const Character& character, const Limb& l
       for (std::uint32_t i = mesh.influence_begin[v]; i < mesh.influence_begin[v + 1]; ++i)
         if (!heaviest || mesh.influences[i].weight > heaviest->weight)
           heaviest = &mesh.influences[i];
-      if (heaviest && model.skeleton.is_within(heaviest->joint, limb.end))
+      if (heaviest && is_hands(heaviest->joint))
         length = std::max(length, glm::length(positions[v] - from));
     }
   }

@@ -8,6 +8,7 @@
 
 #include "core/base/random.h"
 #include "core/collision/certificate.h"
+#include "core/editing/following_keys.h"
 #include "core/editing/limb_keys.h"
 
 namespace elbowroom {
@@ -166,13 +167,15 @@ Result<KeyedMotion> key_motion(const WindowProblem& p, const WindowMotion& motio
   keyed.correction.limb = p.limb->limb.name;
   keyed.correction.begin = static_cast<float>(p.begin);
   keyed.correction.end = static_cast<float>(p.end);
-  const auto& skeleton =
-      p.scene->world().actors[static_cast<std::size_t>(p.scene->actor())].model->skeleton;
+  const Model& model = *p.scene->world().actors[static_cast<std::size_t>(p.scene->actor())].model;
+  const Skeleton& skeleton = model.skeleton;
   std::vector<double> times;
   for (const PostureAt& posture : p.postures) times.push_back(posture.time);
   keyed.correction.joints = make_limb_keys(
       skeleton, *p.limb, [&](double t) { return motion.at(t).value(t); }, p.postures.front().state,
       p.postures.back().state, times, std::max(kLeastKeyRate, key_rate(*p.clip)));
+  if (Status followed = add_following_keys(model, *p.limb, *p.clip, keyed.correction); !followed)
+    return followed.error();
   auto laid = lay_over(skeleton, *p.clip, {keyed.correction});
   if (!laid) return laid.error();
   keyed.clip = std::make_shared<const Clip>(std::move(*laid));

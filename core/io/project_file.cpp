@@ -360,6 +360,15 @@ Document document_of(const Json& root, const std::filesystem::path& folder) {
         if (entry.contains("derivatives"))
           for (const auto& value : array_of(entry["derivatives"], place + "/derivatives"))
             keys.keys.derivatives.push_back(quat_of(value, place + "/derivatives"));
+        // Of joints that follow a limb from elsewhere in the tree.
+        if (entry.contains("translations"))
+          for (const auto& value : array_of(entry["translations"], place + "/translations")) {
+            const auto v = numbers_of<3>(value, place + "/translations");
+            for (const double number : v) float_of(number, place + "/translations");
+            keys.translations.emplace_back(v[0], v[1], v[2]);
+          }
+        if (!keys.translations.empty() && keys.translations.size() != keys.keys.times.size())
+          throw Damage{place, "times and translations differ in number"};
         if (keys.keys.values.size() != keys.keys.times.size() ||
             (!keys.keys.derivatives.empty() &&
              keys.keys.derivatives.size() != keys.keys.times.size()))
@@ -475,6 +484,7 @@ Result<std::string> project_text(const std::filesystem::path& file, const Docume
       entry["derivatives"] = Json::array();
       for (const auto& value : joint.keys.derivatives)
         entry["derivatives"].push_back(json_of(value));
+      for (const auto& value : joint.translations) entry["translations"].push_back(json_of(value));
       item["joints"].push_back(entry);
     }
     root["corrections"].push_back(item);

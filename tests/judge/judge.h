@@ -85,17 +85,20 @@ std::vector<double> verification_times(const File& file, const std::string& anim
                                        double end, double hz = 240, int random = 1000,
                                        unsigned seed = 1);
 
-// Channels of `source_animation` in `source` whose node is none of `limb_joints` (names) are in
-// `animation` of `output` bit for bit, and nothing else moves there. Empty, or what differs.
+// Channels of `source_animation` in `source` whose node is none of `limb_joints` (names, the
+// topmost first) are in `animation` of `output` bit for bit, and nothing else moves there; of the
+// limb's joints only rotations change, and translations of those that hang from elsewhere in the
+// tree. Empty, or what differs.
 std::vector<std::string> joints_outside_limb_bit_identical(
     const File& source, const File& output, const std::string& source_animation,
     const std::string& animation, const std::vector<std::string>& limb_joints);
 
 struct OutsideReport {
   double difference = 0;  // largest angle between the two, radians, 1 s beyond the clip too
+  double shift = 0;       // of translations, as a share of the longest of that joint
   std::vector<std::string> lost_keys;  // source keys outside the window whose bits are not kept
 };
-// The limb's rotations outside [begin, end], at float32 times.
+// The limb's rotations and translations outside [begin, end], at float32 times, both ends included.
 OutsideReport outside_window(const File& source, const File& output,
                              const std::string& source_animation, const std::string& animation,
                              const std::vector<std::string>& limb_joints, float begin, float end);
@@ -115,6 +118,15 @@ struct CurveFigures {
 CurveFigures curve_figures(const File& file, const std::string& animation,
                            const std::vector<std::string>& limb_joints, double begin, double end,
                            double step = 1.0 / 240);
+
+// How well `joint` keeps the relation that it has to `served` in the source: the largest distance
+// of its origin from where it would be then (world units), and angle, at the times given.
+struct FollowReport {
+  double distance = 0, angle = 0;
+};
+FollowReport follows(const File& source, const File& output, const std::string& source_animation,
+                     const std::string& animation, const std::string& joint,
+                     const std::string& served, const std::vector<double>& times);
 
 // Formal faults of an animation: times that do not increase, quaternions that are not unit or
 // change sign from key to key (LINEAR), values that are not finite.

@@ -39,6 +39,13 @@ std::string label(const File& file, const KeyChannel& channel) {
          file.nodes[static_cast<std::size_t>(channel.node)].name + " " + channel.path;
 }
 
+glm::dvec3 translation_at(const File& file, const KeyAnimation& animation, int node, double t) {
+  const KeyChannel* channel = channel_of(animation, node, "translation");
+  if (!channel) return file.nodes[static_cast<std::size_t>(node)].translation;
+  const std::vector<double> v = sample(*channel, t);
+  return glm::dvec3(v[0], v[1], v[2]);
+}
+
 glm::dvec3 angular_velocity(const glm::dquat& a, const glm::dquat& b, double seconds) {
   glm::dquat d = glm::conjugate(a) * b;
   if (d.w < 0) d = -d;
@@ -84,9 +91,16 @@ std::vector<std::string> joints_outside_limb_bit_identical(
   const KeyAnimation& old = source.animation(source_animation);
   const KeyAnimation& fresh = output.animation(animation);
   const std::set<int> limb = nodes_named(source, limb_joints);
+  const int top = limb_joints.empty() ? -1 : source.node(limb_joints.front());
+  // Only rotations of the limb's own joints may change, and what a joint that does not hang from it
+  // needs to come along.
+  const auto may_change = [&](const KeyChannel& channel) {
+    if (!limb.count(channel.node)) return false;
+    return channel.path == "rotation" ||
+           (channel.path == "translation" && !source.is_within(channel.node, top));
+  };
   for (const KeyChannel& channel : old.channels) {
-    // Only rotations of the limb's own joints may change.
-    if (limb.count(channel.node) && channel.path == "rotation") continue;
+    if (may_change(channel)) continue;
     const KeyChannel* same = channel_of(fresh, channel.node, channel.path);
     if (!same) {
       faults.push_back(label(source, channel) + ": lost");
@@ -96,7 +110,7 @@ std::vector<std::string> joints_outside_limb_bit_identical(
     }
   }
   for (const KeyChannel& channel : fresh.channels) {
-    if (limb.count(channel.node) && channel.path == "rotation") continue;
+    if (may_change(channel)) continue;
     if (!channel_of(old, channel.node, channel.path)) {
       faults.push_back(label(output, channel) + ": was not animated before");
     }
@@ -147,6 +161,13 @@ OutsideReport outside_window(const File& source, const File& output,
       report.difference = std::fmax(report.difference, angle(rotation_at(source, old, node, t),
                                                              rotation_at(output, fresh, node, t)));
     }
+    double shift = 0, longest = 0;
+    for (const float t : all) {
+      const glm::dvec3 was = translation_at(source, old, node, t);
+      shift = std::fmax(shift, glm::distance(was, translation_at(output, fresh, node, t)));
+      longest = std::fmax(longest, glm::length(was));
+    }
+    if (shift > 0) report.shift = std::fmax(report.shift, shift / std::fmax(longest, 1e-300));
     if (!before || !after) continue;
     const auto float_value = [](const KeyChannel& channel, std::size_t key, std::size_t k) {
       const bool cubic = channel.interpolation == "CUBICSPLINE";
@@ -179,6 +200,27 @@ double border_difference(const File& source, const File& output,
     }
   }
   return worst;
+}
+
+FollowReport follows(const File& source, const File& output, const std::string& source_animation,
+                     const std::string& animation, const std::string& joint,
+                     const std::string& served, const std::vector<double>& times) {
+  FollowReport report;
+  const auto of = [](const File& file, const State& state, const std::string& name) {
+    return state.world[static_cast<std::size_t>(file.node(name))];
+  };
+  const glm::dmat4 here(1.0);
+  for (const double t : times) {
+    const State was = state_at(source, &source.animation(source_animation), t, here);
+    const State is = state_at(output, &output.animation(animation), t, here);
+    const glm::dmat4 wanted =
+        of(output, is, served) * glm::inverse(of(source, was, served)) * of(source, was, joint);
+    const glm::dmat4 shown = of(output, is, joint);
+    report.distance = std::fmax(report.distance, glm::length(glm::dvec3(wanted[3] - shown[3])));
+    report.angle = std::fmax(report.angle, angle(glm::quat_cast(glm::dmat3(rigid_frame(wanted))),
+                                                 glm::quat_cast(glm::dmat3(rigid_frame(shown)))));
+  }
+  return report;
 }
 
 CurveFigures curve_figures(const File& file, const std::string& animation,

@@ -76,16 +76,12 @@ inline void correct_and_judge(const CorrectCall& call, const Folder& folder) {
   delivered.random_times = call.random_times;
   for (const auto& correction : report["corrections"]) {
     Delivered::Window window;
+    for (const Limb& limb : findings.limbs)
+      if (limb.name == correction["limb"])
+        window = window_of(**model, (*model)->characters.at(0), limb);
     window.begin = correction["window"][0];
     window.end = correction["window"][1];
-    for (const Limb& limb : findings.limbs) {
-      if (limb.name != correction["limb"]) continue;
-      for (const int joint : limb.joints)
-        window.limb_joints.push_back(
-            (*model)->skeleton.joints[static_cast<std::size_t>(joint)].name);
-    }
     ASSERT_FALSE(window.limb_joints.empty());
-    window.limb_root = window.limb_joints.front();
     delivered.windows.push_back(window);
     std::printf(
         "  %s %s [%.3f, %.3f] clearance %.4g deviation %.3f rad peak %.2f rad/s "

@@ -8,8 +8,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "core/anatomy/limb.h"
 #include "tests/judge/judge.h"
 
 namespace elbowroom::test {
@@ -23,12 +25,31 @@ struct Delivered {
   // One for each correction.
   struct Window {
     std::string limb_root;                 // node name
-    std::vector<std::string> limb_joints;  // node names, root to end
+    std::vector<std::string> limb_joints;  // node names, root to end; then what follows the limb
+    // from elsewhere in the tree, with the joint it serves.
+    std::vector<std::pair<std::string, std::string>> following{};
+    double follows_within = 0;  // scene units
     double begin = 0, end = 0;
   };
   std::vector<Window> windows;
   int random_times = 1000;
 };
+
+// What the limb is, for the judge.
+inline Delivered::Window window_of(const Model& model, const Character& figure, const Limb& limb) {
+  const auto name = [&](int joint) {
+    return model.skeleton.joints[static_cast<std::size_t>(joint)].name;
+  };
+  Delivered::Window window;
+  for (const int joint : limb.joints) window.limb_joints.push_back(name(joint));
+  window.limb_root = window.limb_joints.front();
+  for (const FollowingJoint& own : limb.following) {
+    window.limb_joints.push_back(name(own.joint));
+    window.following.emplace_back(name(own.joint), name(own.serves));
+  }
+  window.follows_within = 0.001 / 1.75 * figure.height;
+  return window;
+}
 
 // Adds a failure for each promise that does not hold. Returns the number of samples looked at.
 inline int expect_delivered(const Delivered& delivered) {
@@ -56,11 +77,12 @@ inline int expect_delivered(const Delivered& delivered) {
     query.character = delivered.output;
     query.animation = delivered.animation;
     query.limb_roots = {window.limb_root};
+    for (const auto& [joint, served] : window.following) query.limb_roots.push_back(joint);
     query.obstacles = delivered.obstacles;
     query.attachments = delivered.attachments;
     query.source_animation = delivered.source_animation;
     query.with_fcl = false;
-    query.times = judge::verification_times(output, delivered.animation, {window.limb_root},
+    query.times = judge::verification_times(output, delivered.animation, query.limb_roots,
                                             window.begin, window.end, 240, delivered.random_times);
     const auto report = judge::count_intersecting_samples(query);
     EXPECT_EQ(report.obstacle_samples, 0);
@@ -72,6 +94,13 @@ inline int expect_delivered(const Delivered& delivered) {
                     << report.hits[i].time << " s";
     samples += report.samples;
 
+    for (const auto& [joint, served] : window.following) {
+      const auto follows = judge::follows(source, output, delivered.source_animation,
+                                          delivered.animation, joint, served, query.times);
+      EXPECT_LT(follows.distance, window.follows_within) << joint << " leaves " << served;
+      EXPECT_LT(follows.angle, 0.01) << joint << " turns from " << served;
+    }
+
     const auto begin = static_cast<float>(window.begin), end = static_cast<float>(window.end);
     EXPECT_LT(judge::border_difference(source, output, delivered.source_animation,
                                        delivered.animation, window.limb_joints, begin, end),
@@ -82,6 +111,7 @@ inline int expect_delivered(const Delivered& delivered) {
           judge::outside_window(source, output, delivered.source_animation, delivered.animation,
                                 window.limb_joints, begin, end);
       EXPECT_LT(outside.difference, 1e-6);
+      EXPECT_LT(outside.shift, 1e-6);
       for (const auto& key : outside.lost_keys) ADD_FAILURE() << key;
     }
   }

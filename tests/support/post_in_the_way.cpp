@@ -31,6 +31,11 @@ std::vector<Frame> frames_of(const Model& model, const Character& character, con
   const int count = static_cast<int>(clip.duration() * 60) + 1;
   std::vector<Vec3> vertices;
   std::vector<Mat4> globals;
+  const auto is_limbs = [&](int node) {
+    return model.skeleton.is_within(node, limb.root) ||
+           std::any_of(limb.following.begin(), limb.following.end(),
+                       [&](const auto& own) { return model.skeleton.is_within(node, own.joint); });
+  };
   for (int i = 0; i < count; ++i) {
     Frame frame;
     frame.t = clip.begin + i / 60.0;
@@ -43,10 +48,10 @@ std::vector<Frame> frames_of(const Model& model, const Character& character, con
       for (std::size_t v = 0; v < vertices.size(); ++v) {
         double share = 0;
         if (mesh.skin < 0)
-          share = model.skeleton.is_within(mesh.node, limb.root) ? 1 : 0;
+          share = is_limbs(mesh.node) ? 1 : 0;
         else
           for (auto k = mesh.influence_begin[v]; k < mesh.influence_begin[v + 1]; ++k)
-            if (model.skeleton.is_within(mesh.influences[k].joint, limb.root))
+            if (is_limbs(mesh.influences[k].joint))
               share += static_cast<double>(mesh.influences[k].weight);
         (share > 0.5 ? frame.limb : frame.rest).push_back(vertices[v]);
       }

@@ -63,12 +63,9 @@ void try_post(const std::filesystem::path& file, const Model& model, const Limb&
   delivered.animation = std::to_string(model.clips.size());
   delivered.obstacles = {folder / "post.glb"};
   for (const auto& correction : report["corrections"]) {
-    Delivered::Window window;
+    Delivered::Window window = window_of(model, model.characters.front(), limb);
     window.begin = correction["window"][0];
     window.end = correction["window"][1];
-    for (const int joint : limb.joints)
-      window.limb_joints.push_back(model.skeleton.joints[static_cast<std::size_t>(joint)].name);
-    window.limb_root = window.limb_joints.front();
     delivered.windows.push_back(window);
     ++tally.corrections;
     if (correction["certified"].get<bool>()) ++tally.certified;

@@ -62,7 +62,12 @@ Document full_document(const std::filesystem::path& folder) {
   keys.keys.times = {1.2f, 1.7f, 2.05f};
   keys.keys.values = {Quat(1, 0, 0, 0), glm::normalize(Quat(1, 2, 3, 4)), Quat(1, 0, 0, 0)};
   keys.keys.derivatives = {Quat(0, 1, 0, 0), Quat(0, 0.1, 0.7, 0), Quat(0, 0, 0, 1)};
-  correction.joints = {keys};
+  JointKeys foot = keys;
+  foot.joint = "Foot.L";
+  foot.node = 12;
+  foot.keys.derivatives.clear();
+  foot.translations = {Vec3(0.1, 0.2, 0.3), Vec3(1.0 / 3, -2e-7, 5), Vec3(0.1, 0.2, 0.3)};
+  correction.joints = {keys, foot};
   document.corrections = {correction};
   return document;
 }

@@ -14,7 +14,7 @@ struct RealSkeleton {
   std::array<const char*, 3> arm, leg;  // root, middle, end with {L|R}; of no arm: null
   const char* text;                     // skeleton_text.h
   Vec3 forward{0, 0, 1};                // where it looks; zero: its pose does not tell
-  std::size_t warnings = 0;             // of joints that stay behind
+  std::size_t followed = 0;             // limbs that joints follow from elsewhere in the tree
 };
 std::vector<RealSkeleton> real_skeletons();
 std::vector<RealSkeleton> recorded_skeletons();  // some of them

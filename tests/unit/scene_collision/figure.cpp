@@ -44,8 +44,12 @@ std::shared_ptr<Model> make_figure(const FigureOptions& options) {
   add_joint(*model, "Hips", -1, Vec3(0, 1, 0));
   add_joint(*model, "UpperArm", kHips, Vec3(0.2, 0.4, 0));
   add_joint(*model, "ForeArm", kUpper, Vec3(0.3, 0, 0));
-  add_joint(*model, "Hand", kFore, Vec3(0.25, 0, 0));
+  if (options.detached_hand)
+    add_joint(*model, "Hand", kHips, Vec3(0.75, 0.4, 0));
+  else
+    add_joint(*model, "Hand", kFore, Vec3(0.25, 0, 0));
   add_joint(*model, "Finger", kHand, Vec3(0.1, 0, 0));
+  if (options.detached_hand) add_joint(*model, "ForeArm_end", kFore, Vec3(0.25, 0, 0));
 
   Mesh skin;
   skin.name = "Body";
@@ -121,10 +125,12 @@ LimbModel arm_of(const Model& model) {
   LimbModel arm;
   arm.limb.kind = LimbKind::left_arm;
   arm.limb.name = "left_arm";
-  arm.limb.joints = {kUpper, kFore, kHand};
+  const bool detached = model.skeleton.size() > kForeEnd;
+  arm.limb.joints = {kUpper, kFore, detached ? kForeEnd : kHand};
+  if (detached) arm.limb.following = {{kHand, kForeEnd}};
   arm.limb.root = kUpper;
   arm.limb.middle = kFore;
-  arm.limb.end = kHand;
+  arm.limb.end = arm.limb.joints.back();
   const JointModelKind kinds[3] = {JointModelKind::ball, JointModelKind::hinge,
                                    JointModelKind::swing};
   int dof = 0;

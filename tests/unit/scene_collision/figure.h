@@ -20,13 +20,15 @@
 namespace elbowroom::test {
 
 inline constexpr int kHips = 0, kUpper = 1, kFore = 2, kHand = 3, kFinger = 4;
+inline constexpr int kForeEnd = 5;  // of a figure whose hand is detached: in the wrist's place
 inline constexpr double kHeight = 1.75;
 
 struct FigureOptions {
-  double scale = 1;          // of all lengths
-  bool thigh = true;         // a box below the shoulder, part of the trunk
-  bool sword = false;        // a rigid mesh that hangs below the hand
-  double thigh_side = 0.16;  // its outer face, x: the hanging arm reaches in to 0.15
+  double scale = 1;            // of all lengths
+  bool thigh = true;           // a box below the shoulder, part of the trunk
+  bool sword = false;          // a rigid mesh that hangs below the hand
+  bool detached_hand = false;  // it hangs from the hips, and follows the arm
+  double thigh_side = 0.16;    // its outer face, x: the hanging arm reaches in to 0.15
 };
 
 std::shared_ptr<Model> make_figure(const FigureOptions& options = {});
