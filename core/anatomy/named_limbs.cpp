@@ -139,7 +139,9 @@ std::optional<Chain> numbered_chain(const NamedFigure& figure, const LimbFamily&
       const bool same_root = found.root == best[i];
       if (fit > longest * (1 + kRounding) || (same_root && fit >= longest * (1 - kRounding))) {
         longest = fit;
-        found = {best[i], best[m], best[last], ""};
+        found.root = best[i];
+        found.middle = best[m];
+        found.end = best[last];
       }
     }
   }

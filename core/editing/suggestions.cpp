@@ -16,7 +16,9 @@ int limb_in_the_way(const SceneCollision& scene, int limb, const std::string& bl
   const auto& actor = scene.world().actors[static_cast<std::size_t>(scene.actor())];
   const auto& joints = actor.model->skeleton.joints;
   const auto names = [&](const LimbModel& model) {
-    return std::any_of(model.limb.joints.begin(), model.limb.joints.end(), [&](int joint) {
+    std::vector<int> own = model.limb.joints;
+    for (const FollowingJoint& other : model.limb.following) own.push_back(other.joint);
+    return std::any_of(own.begin(), own.end(), [&](int joint) {
       const std::string name = "/" + joints[static_cast<std::size_t>(joint)].name;
       for (std::size_t at = blocked_by.find(name); at != std::string::npos;
            at = blocked_by.find(name, at + 1)) {

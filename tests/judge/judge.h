@@ -41,6 +41,7 @@ struct CollisionQuery {
   std::filesystem::path character;
   std::string animation = "0";
   std::vector<std::string> limb_roots;  // topmost joints of the limb
+  std::vector<std::string> limb_parts;  // and what is of it but hangs from elsewhere in the tree
   std::vector<std::filesystem::path> obstacles;
   std::vector<Attached> attachments;
   std::vector<double> times;  // seconds on the animation's clock
@@ -75,7 +76,7 @@ struct CollisionReport {
 };
 
 // At how many of the query's times the limb meets what. The limb are the triangles whose weight
-// mostly follows a joint at or below limb_roots, and the objects attached there.
+// mostly follows a joint at or below limb_roots or limb_parts, and the objects attached there.
 CollisionReport count_intersecting_samples(const CollisionQuery& query);
 
 // Where a result is looked at: `hz` regular samples a second from begin to end (both included),

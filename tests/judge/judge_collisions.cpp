@@ -63,6 +63,8 @@ class Figure {
   explicit Figure(const CollisionQuery& query)
       : file_(load(query.character)), soup_(soup_of(file_)), attached_(query.attachments) {
     for (const std::string& name : query.limb_roots) roots_.push_back(file_.node(name));
+    parts_ = roots_;
+    for (const std::string& name : query.limb_parts) parts_.push_back(file_.node(name));
     for (std::size_t i = 0; i < soup_.triangles.size(); ++i) {
       Part& part = in_limb(soup_.joint[i]) ? limb_ : body_;
       part.triangles.push_back(soup_.triangles[i]);
@@ -114,7 +116,7 @@ class Figure {
 
  private:
   bool in_limb(int node) const {
-    return std::any_of(roots_.begin(), roots_.end(),
+    return std::any_of(parts_.begin(), parts_.end(),
                        [&](int root) { return file_.is_within(node, root); });
   }
 
@@ -122,7 +124,7 @@ class Figure {
   Soup soup_;
   std::vector<Attached> attached_;
   std::vector<Extra> extras_;
-  std::vector<int> roots_, carriers_;
+  std::vector<int> roots_, parts_, carriers_;
   Part limb_, body_;
 };
 

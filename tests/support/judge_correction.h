@@ -77,13 +77,15 @@ inline int expect_delivered(const Delivered& delivered) {
     query.character = delivered.output;
     query.animation = delivered.animation;
     query.limb_roots = {window.limb_root};
-    for (const auto& [joint, served] : window.following) query.limb_roots.push_back(joint);
+    for (const auto& [joint, served] : window.following) query.limb_parts.push_back(joint);
     query.obstacles = delivered.obstacles;
     query.attachments = delivered.attachments;
     query.source_animation = delivered.source_animation;
     query.with_fcl = false;
-    query.times = judge::verification_times(output, delivered.animation, query.limb_roots,
-                                            window.begin, window.end, 240, delivered.random_times);
+    std::vector<std::string> keyed = query.limb_roots;
+    keyed.insert(keyed.end(), query.limb_parts.begin(), query.limb_parts.end());
+    query.times = judge::verification_times(output, delivered.animation, keyed, window.begin,
+                                            window.end, 240, delivered.random_times);
     const auto report = judge::count_intersecting_samples(query);
     EXPECT_EQ(report.obstacle_samples, 0);
     EXPECT_EQ(report.contained_samples, 0);
