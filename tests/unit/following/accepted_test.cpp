@@ -65,7 +65,7 @@ TEST(FollowingInProjects, AcceptedCorrectionsCarryTheFoot) {
   scene->set_clip(session->clip());
   const Accepted held = keep_accepted(*scene, *session, again->corrections, again->tasks);
   ASSERT_EQ(held.kept.size(), 1u) << held.dropped.front().why;
-  EXPECT_EQ(*&held.clip->channels.size(), outcome->clip->channels.size());
+  EXPECT_EQ(held.clip->channels.size(), outcome->clip->channels.size());
 
   // As older versions have written it: it opens and is shown, but leaves the foot behind.
   std::vector<Correction> without = again->corrections;
