@@ -23,7 +23,16 @@ bool same_joints(const Limb& a, const Limb& b) {
 
 bool share_joints(const Session& session, const Limb& a, const Limb& b) {
   const Skeleton& skeleton = session.scene.model().skeleton;
-  return skeleton.is_within(a.root, b.root) || skeleton.is_within(b.root, a.root);
+  // What follows a limb from elsewhere in the tree is as much its own.
+  const auto tops = [](const Limb& limb) {
+    std::vector<int> joints = {limb.root};
+    for (const FollowingJoint& own : limb.following) joints.push_back(own.joint);
+    return joints;
+  };
+  for (const int x : tops(a))
+    for (const int y : tops(b))
+      if (skeleton.is_within(x, y) || skeleton.is_within(y, x)) return true;
+  return false;
 }
 
 // A contact is of one limb: those found that share joints with this one give way.
