@@ -15,6 +15,9 @@
 // moved rigidly: so P⁻¹ M clip_P is rigid for any P that keeps angles, mirrors included. Where
 // scales are uneven below that node the place is exact and the rotation the nearest.
 //
+// A limb takes along what follows itself: what follows another limb that hangs from it (the hands
+// of a rig that has them at its root, when a spine is bent) it leaves where the clip has it.
+//
 // Globals may be of any space, if of one. Pure functions; any thread.
 #pragma once
 
