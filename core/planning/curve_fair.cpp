@@ -14,32 +14,47 @@ namespace {
 constexpr int kMostAttempts = 8;  // in one trial
 constexpr std::int64_t kConfirmEvery = 12;
 constexpr int kMostTakenBack = 3;
+constexpr double kReliefShare = 0.7;  // of the steps while an acceleration limit is exceeded
 
 }  // namespace
 
 bool CurveFitter::fair() {
   Random random(settings_.seed);
-  std::int64_t failures = 0;
-  auto told = std::chrono::steady_clock::now();
   strain_ = limits_.strain(curve_, 0, count() - 1);
   keep();
-  while (result_.trials < settings_.max_trials && failures < settings_.max_consecutive_failures) {
-    if (stop_.stop_requested() || seconds() >= settings_.max_seconds) break;
-    if (progress_ && std::chrono::steady_clock::now() - told > std::chrono::milliseconds(20)) {
-      told = std::chrono::steady_clock::now();
-      progress_({"fairing",
-                 static_cast<double>(result_.trials) / static_cast<double>(settings_.max_trials)});
-    }
+  std::int64_t failures = 0;
+  while (result_.trials < settings_.max_trials && failures < settings_.max_consecutive_failures &&
+         goes_on(result_.trials, settings_.max_trials)) {
     ++failures;
-    if (try_step(random, result_.trials++)) {
-      ++result_.accepted;
-      failures = 0;
-      if (result_.accepted - kept_.accepted == kConfirmEvery) confirm();
-    }
+    if (try_step(random, Step::smoother, result_.trials++ == 0)) failures = 0;
+  }
+  confirm();
+  strain_ = limits_.strain(curve_, 0, count() - 1);
+  failures = 0;
+  while (!strain_.kept() && result_.relief_trials < settings_.max_relief_trials &&
+         failures < settings_.max_consecutive_failures &&
+         goes_on(result_.relief_trials, settings_.max_relief_trials)) {
+    ++failures;
+    ++result_.relief_trials;
+    const Step step = random.uniform() < kReliefShare ? Step::gentler : Step::smoother_as_gentle;
+    if (try_step(random, step, false)) failures = 0;
+    // Not before what was promised is confirmed.
+    if (strain_.kept()) confirm();
   }
   confirm();
   result_.energy = energy(energy_matrix_, offsets_);
   return !stop_.stop_requested();
+}
+
+// No stop, and time left; tells how far it is.
+bool CurveFitter::goes_on(std::int64_t trial, std::int64_t most) {
+  if (stop_.stop_requested() || seconds() >= settings_.max_seconds) return false;
+  const auto now = std::chrono::steady_clock::now();
+  if (progress_ && now - told_ > std::chrono::milliseconds(20)) {
+    told_ = now;
+    progress_({"fairing", static_cast<double>(trial) / static_cast<double>(most)});
+  }
+  return true;
 }
 
 void CurveFitter::confirm() {
@@ -64,13 +79,13 @@ void CurveFitter::confirm() {
   if (++taken_back_ == kMostTakenBack) trial_resolution_ = settings_.resolution;
 }
 
-bool CurveFitter::try_step(Random& random, std::int64_t trial) {
-  const bool relieve = trial > 0 && !strain_.kept() && random.uniform() < 0.5;
+bool CurveFitter::try_step(Random& random, Step step, bool everything) {
+  const bool relieve = step == Step::gentler;
   const BandMatrix& matrix = relieve ? relief_matrix_ : energy_matrix_;
   const int begin = fixed_at_begin();
   const int free_count = count() - fixed_at_end() - begin;
   int first = begin, last = begin + free_count - 1, only = -1;
-  if (trial > 0) {
+  if (!everything) {
     // Lengths are drawn by magnitude, so that short and long stretches have their turn.
     const double longest = std::log(static_cast<double>(free_count));
     const double shortest = std::min(longest, std::log(3.0));
@@ -89,6 +104,7 @@ bool CurveFitter::try_step(Random& random, std::int64_t trial) {
       only = static_cast<int>(random.below(static_cast<std::uint64_t>(dofs())));
     }
   }
+  const double part = relieve ? random.uniform(0.2, 1) : 1;  // what would relieve may overshoot
   const std::vector<Dofs> before = curve_.control;
   std::vector<double> share(static_cast<std::size_t>(count()),
                             1.0);  // of the step, that is taken
@@ -108,12 +124,13 @@ bool CurveFitter::try_step(Random& random, std::int64_t trial) {
     }
     if (free.empty() || !minimize(matrix, free, d)) break;
     if (attempt == 0) whole = d;
-    if (only >= 0) {
-      for (int i = first; i <= last; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        for (int a = 0; a < dofs(); ++a) {
-          if (a != only) d[k][a] = offsets_[k][a];
-        }
+    for (int i = first; i <= last; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      for (int a = 0; a < dofs(); ++a) {
+        if (only >= 0 && a != only)
+          d[k][a] = offsets_[k][a];
+        else if (part < 1)
+          d[k][a] = offsets_[k][a] + part * (d[k][a] - offsets_[k][a]);
       }
     }
     const double e = energy(energy_matrix_, d);
@@ -121,7 +138,7 @@ bool CurveFitter::try_step(Random& random, std::int64_t trial) {
         (!(e < result_.energy * (1 - settings_.worthwhile)) || !(e < result_.energy - 1e-14)))
       break;
     set_offsets(d, first, last);
-    if (!keeps_accelerations(first, last, relieve)) {
+    if (step != Step::smoother && !is_gentler(relieve)) {
       curve_.control = before;
       break;
     }
@@ -129,7 +146,8 @@ bool CurveFitter::try_step(Random& random, std::int64_t trial) {
     if (fault.none()) {
       offsets_ = std::move(d);
       result_.energy = e;
-      if (!strain_.kept()) strain_ = limits_.strain(curve_, 0, count() - 1);
+      if (step != Step::smoother) strain_ = limits_.strain(curve_, 0, count() - 1);
+      if (++result_.accepted - kept_.accepted == kConfirmEvery) confirm();
       return true;
     }
     curve_.control = before;
@@ -143,12 +161,9 @@ bool CurveFitter::try_step(Random& random, std::int64_t trial) {
   return false;
 }
 
-bool CurveFitter::keeps_accelerations(int first, int last, bool relieve) const {
-  if (relieve)
-    return limits_.strain(curve_, 0, count() - 1).share <
-           strain_.share * (1 - settings_.worthwhile);
-  const CurveLimits::Strain strain = limits_.strain(curve_, first, last);
-  return strain.kept() || strain.share <= strain_.share;
+bool CurveFitter::is_gentler(bool by_much) const {
+  const double overload = limits_.strain(curve_, 0, count() - 1).overload;
+  return overload <= strain_.overload * (by_much ? 1 - settings_.worthwhile : 1);
 }
 
 }  // namespace elbowroom

@@ -16,6 +16,9 @@
 // clip's own movement on the way, and comes back to it. Without a clip r is 0 and the first term
 // is left out.
 //
+// Where an acceleration limit is exceeded then, steps follow towards where accelerations weigh
+// more, which may cost energy, until none is or nothing helps.
+//
 // Steps are tested coarsely and confirmed, a few at a time, at the resolution of the settings;
 // those that are not are taken back. Same bytes for the same input, seed and number of trials.
 #pragma once
@@ -44,6 +47,7 @@ struct CurveSettings {
   double jerk_time = 0.12;          // T_j, seconds
   double worthwhile = 0.01;         // share of E that a step must save to be tested
   std::int64_t max_trials = 300;
+  std::int64_t max_relief_trials = 300;  // more, where an acceleration limit is exceeded after them
   std::int64_t max_consecutive_failures = 60;
   std::uint64_t seed = 1;
   double max_seconds = std::numeric_limits<double>::infinity();
@@ -74,10 +78,11 @@ struct CurveResult {
   // found.
   std::vector<CurveLimits::Excess> acceleration_excess;
   bool acceleration_kept = false;
-  std::int64_t trials = 0;              // give them as max_trials to get the same bytes again
-  std::int64_t accepted = 0;            // of them
-  int refinements = 0;                  // rounds of added knots
-  double energy_first = 0, energy = 0;  // E before and after fairing
+  // Give them as max_trials and max_relief_trials to get the same bytes again.
+  std::int64_t trials = 0, relief_trials = 0;
+  std::int64_t accepted = 0;                     // of them
+  int refinements = 0;                           // rounds of added knots
+  double energy_first = 0, energy = 0;           // E before and after fairing
   double peak_speed = 0, peak_acceleration = 0;  // largest of any DOF, rad/s, rad/s²
   CheckCounters checks;
   double milliseconds = 0;  // computing time; not part of what repeats

@@ -42,7 +42,8 @@ class CurveFitter {
   enum class Followed { yes, no, stopped };
   Followed follow_path();
 
-  // Lowers the energy by valid steps; false on a stop. What is left stands confirmed.
+  // Lowers the energy by valid steps, and then, where acceleration limits are exceeded, by how
+  // much; false on a stop. What is left stands confirmed.
   bool fair();
 
   void report();
@@ -111,15 +112,17 @@ class CurveFitter {
 
   void prepare_energy();
 
-  // One trial: a stretch of control points, all DOFs or one, towards the minimum of the energy.
-  // Where that collides, a control point is first held half-way, then where it was, and the others
-  // go on. The first trial takes everything there is. While an acceleration limit is exceeded every
-  // other trial is a stretch about that place, towards where accelerations weigh more.
-  bool try_step(Random& random, std::int64_t trial);
+  bool goes_on(std::int64_t trial, std::int64_t most);
 
-  // A step of these control points exceeds no acceleration limit; or, as long as one is exceeded,
-  // does so no more than before, or less if that is what it is for.
-  bool keeps_accelerations(int first, int last, bool relieve) const;
+  // One trial: a stretch of control points, all DOFs or one, towards the minimum of the energy, or
+  // `everything` there is. Where that collides, a control point is first held half-way, then where
+  // it was, and the others go on. A step that is to be gentler is about the place where an
+  // acceleration limit is exceeded most, towards where accelerations weigh more.
+  enum class Step { smoother, gentler, smoother_as_gentle };
+  bool try_step(Random& random, Step step, bool everything);
+
+  // Acceleration limits are exceeded no more than before, or less.
+  bool is_gentler(bool by_much) const;
 
   StateSpace& world_;
   const CurveQuery& query_;
@@ -137,6 +140,7 @@ class CurveFitter {
   std::vector<Dofs> offsets_;    // control points less those of the reference
   Kept kept_;
   CurveLimits::Strain strain_;
+  std::chrono::steady_clock::time_point told_ = start_;  // of progress
   int taken_back_ = 0;
   std::vector<double> suspects_;  // times of recent collisions, latest first
 };

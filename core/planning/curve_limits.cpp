@@ -72,7 +72,10 @@ CurveLimits::Strain CurveLimits::strain(const Curve& curve, int first, int last)
     for (int a = 0; a < space_.count(); ++a) {
       const double share = std::abs(curve_bend(curve, i, a)) /
                            space_.dofs[static_cast<std::size_t>(a)].acceleration_limit;
-      if (share > worst.share) worst = {share, i + 1};
+      if (share > 1) worst.overload += (share - 1) * (share - 1);
+      if (!(share > worst.share)) continue;
+      worst.share = share;
+      worst.at = i + 1;
     }
   }
   return worst;

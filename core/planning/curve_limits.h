@@ -33,11 +33,13 @@ class CurveLimits {
   }
   // Between control points i and i + 1.
   bool keeps_speed(const Curve& curve, int i) const;
-  // The greatest acceleration that control points first ... last have a part in, as a multiple of
-  // its limit: at most 1 if all limits are kept. And the control point in the middle of it.
+  // Of the accelerations that control points first ... last have a part in, as multiples of their
+  // limits: the greatest, at most 1 if all limits are kept; the control point in the middle of it;
+  // and the sum of the squares of what is beyond 1.
   struct Strain {
     double share = 0;
     int at = -1;
+    double overload = 0;
     bool kept() const { return share <= 1 + 1e-9; }
   };
   Strain strain(const Curve& curve, int first, int last) const;
