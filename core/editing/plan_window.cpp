@@ -16,8 +16,7 @@ constexpr int kWaysOnSkin = 1;        // where one costs a hundred times more, a
 constexpr int kHopeless = 2;          // seeds without a path, after which a view is given up
 constexpr double kGoodEnough = 0.02;  // a cost at which no more ways are looked for
 constexpr int kVerifiedInAView = 3;   // at most, for each asked for
-constexpr int kMoreTries =
-    3;  // after a motion that is not proven, or exceeds an acceleration limit
+constexpr int kTriesForAProof = 3;    // after a motion that is verified but not proven
 constexpr std::uint64_t kViewSeed = 1000003, kWaySeed = 7919;
 
 using Clock = std::chrono::steady_clock;
@@ -50,9 +49,6 @@ struct Held {
   WindowMotion motion;
   double cost = 0;
   bool keeps_accelerations = true;
-
-  // Nothing is left to be wished for but a lower cost.
-  bool is_right() const { return report.certified && keeps_accelerations; }
 };
 
 class WindowPlanner {
@@ -122,10 +118,10 @@ class WindowPlanner {
     };
   }
 
-  // Another view shows no other ways; it may bring a proof, or one that hurries less.
+  // Another view shows no other ways; it may bring a proof.
   bool enough() const {
     if (held_.empty()) return false;
-    return brief_ || held_.front().is_right() || more_tries_ <= 0;
+    return brief_ || held_.front().report.certified || tries_for_proof_ <= 0;
   }
 
   void try_view(const PlanningView& view, std::size_t index) {
@@ -228,7 +224,7 @@ class WindowPlanner {
                (held_.back().report.certified
                     ? std::string("found and proven")
                     : "found and verified, not proven: " + held_.back().report.not_certified);
-      if (!held_.back().is_right()) --more_tries_;
+      if (!held_.back().report.certified) --tries_for_proof_;
       sort_held();
       if (asked_ > 1) drop_copies();
       if (static_cast<int>(held_.size()) > asked_) held_.resize(static_cast<std::size_t>(asked_));
@@ -349,7 +345,7 @@ class WindowPlanner {
   WindowReport report_;
   PlanningCosts costs_;
   std::vector<Held> held_;
-  int more_tries_ = kMoreTries;
+  int tries_for_proof_ = kTriesForAProof;
 };
 
 }  // namespace

@@ -30,6 +30,8 @@ struct Sample {
   const char* file;
 };
 
+void PrintTo(const Sample& one, std::ostream* out) { *out << one.file; }
+
 class CorrectSample : public testing::TestWithParam<Sample> {};
 
 TEST_P(CorrectSample, APostInTheArmsWay) {

@@ -2,6 +2,7 @@
 // Palms and soles of real characters: left and right are mirror images, palms face where the bind
 // pose has them face, the origin lies on the skin, size and placement don't matter.
 #include <gtest/gtest.h>
+#include <ostream>
 
 #include <algorithm>
 #include <cstdio>
@@ -23,6 +24,8 @@ struct Case {
   double turned;         // of left and right, degrees
   bool has_feet = true;  // their legs don't end in what nothing follows
 };
+
+void PrintTo(const Case& one, std::ostream* out) { *out << one.file; }
 
 std::vector<Case> cases() {
   return {

@@ -3,6 +3,7 @@
 // every clip goes into parameters and back, how small the residuals are, and flexion axes against
 // ones written down by hand.
 #include <gtest/gtest.h>
+#include <ostream>
 
 #include <algorithm>
 #include <array>
@@ -38,6 +39,8 @@ struct Expected {
   std::string file;
   std::array<Names, 4> limbs;  // left arm, right arm, left leg, right leg
 };
+
+void PrintTo(const Expected& one, std::ostream* out) { *out << one.file; }
 
 std::vector<Expected> expectations() {
   const auto kaykit = [](const std::string& file) {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +26,8 @@ struct RigRow {
   // Without its names shape alone must find the same; false: the names are all there is to tell by.
   bool by_shape = true;
 };
+
+inline void PrintTo(const RigRow& one, std::ostream* out) { *out << one.file; }
 
 std::vector<RigRow> rig_table();
 

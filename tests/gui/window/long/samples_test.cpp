@@ -35,6 +35,8 @@ struct Sample {
   const char* file;
 };
 
+void PrintTo(const Sample& one, std::ostream* out) { *out << one.file; }
+
 class Characters : public WindowTest, public testing::WithParamInterface<Sample> {};
 
 TEST_P(Characters, Open) {
