@@ -27,6 +27,12 @@ void print_windows(const Session& session, const CorrectionOutcome& outcome) {
                   window.status == CorrectionStatus::cancelled ? "interrupted" : "not corrected",
                   window.reason.c_str(), window.blocked_by.empty() ? "" : "; blocked by ",
                   window.blocked_by.c_str());
+    if (window.status == CorrectionStatus::corrected && !window.limits_widened.empty()) {
+      std::printf("             beyond the usual limits:");
+      for (const std::string& name : window.limits_widened)
+        std::printf("%s %s", &name == &window.limits_widened.front() ? "" : ";", name.c_str());
+      std::printf("\n");
+    }
     for (const Suggestion& suggestion : window.suggestions)
       std::printf("             tried: %s\n", suggestion.text().c_str());
   }

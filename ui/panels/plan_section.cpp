@@ -77,10 +77,18 @@ void candidate_card(const PanelContext& context) {
       {report.certified ? "proven free at all times" : "free at every key and 240 Hz", "",
        Tone::good, true},
   };
+  std::string hint = "Shown as a ghost until it is accepted";
+  if (const auto& widened = report.limits_widened; !widened.empty()) {
+    const CardRow row{"beyond the usual limits",
+                      std::to_string(widened.size()) + (widened.size() == 1 ? " DOF" : " DOFs")};
+    rows.insert(rows.end() - 2, row);
+    hint += "\n\nBeyond the usual limits, as the clip is or for want of time:";
+    for (const std::string& name : widened) hint += "\n" + name;
+  }
   CardOptions options;
   options.selected = true;
   options.selected_tone = Tone::ghost;
-  options.hint = "Shown as a ghost until it is accepted";
+  options.hint = hint;
   card(ui, candidate.task.name, rows, options);
 }
 
