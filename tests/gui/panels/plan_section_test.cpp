@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The plan section: before, while and after something is planned, and where it fails.
+#include <algorithm>
+
 #include "app/editor/key_names.h"
 #include "tests/gui/panels/panels_fixture.h"
 
@@ -62,6 +64,33 @@ TEST_F(Panels, PlanSectionInAllStates) {
   EXPECT_TRUE(ui().has(state().candidate->task.name));
   EXPECT_NE(ui().value("News").find("planned and verified"), std::string::npos);
   const Candidate candidate = *state().candidate;
+  // Its room all over the window, for the timeline's curve.
+  ASSERT_GT(candidate.room.size(), 10u);
+  EXPECT_EQ(candidate.room.front().t, candidate.task.window->lower);
+  EXPECT_EQ(candidate.room.back().t, candidate.task.window->upper);
+  const auto nearest = std::min_element(
+      candidate.room.begin(), candidate.room.end(),
+      [](const StripSample& a, const StripSample& b) { return a.clearance < b.clearance; });
+  EXPECT_EQ(nearest->clearance, candidate.scene_clearance);
+  EXPECT_GT(candidate.scene_clearance, 0);
+  // What it goes beyond is said on the card.
+  const auto card_of = [&](std::vector<std::string> widened) {
+    EditorState other = state();
+    other.candidate->report.limits_widened = std::move(widened);
+    ViewState view = driver().view();
+    EditorUi panels;
+    Commands commands;
+    UiDriver window(1600, 1000);
+    window.show([&](Ui& toolkit) { panels.draw(toolkit, other, view, commands); });
+    const ProbedWidget* card = window.widget(candidate.task.name);
+    return card ? card->value : std::string("no card");
+  };
+  EXPECT_EQ(card_of({}).find("beyond"), std::string::npos);
+  EXPECT_NE(card_of({"Elbow, flexion (speed)"}).find("beyond the usual limits 1 DOF"),
+            std::string::npos);
+  EXPECT_NE(card_of({"Elbow, flexion", "Wrist, bend (acceleration)"}).find("2 DOFs"),
+            std::string::npos);
+  ui().frame();  // back in the first context
   expect_one_step([&] { ui().key(keys::kEnter); }, "Accept");
   ASSERT_EQ(state().document->corrections.size(), 1u);
   EXPECT_FALSE(ui().has("Accept"));

@@ -85,6 +85,12 @@ TEST_F(Strip, SamplesAgreeWithTheIntervalsAndHaveWindowsAroundThem) {
         EXPECT_EQ(sample.clearance, 0);
       }
     }
+    // What a mark in the timeline says a contact comes to is what the curve beside it shows there.
+    for (const ContactInterval& contact : limb.contacts)
+      EXPECT_TRUE(std::any_of(limb.samples.begin(), limb.samples.end(), [&](const auto& sample) {
+        return std::abs(sample.t - contact.time_of_deepest) < 1e-6 &&
+               sample.depth >= contact.deepest.depth;
+      })) << contact.time_of_deepest;
     for (const ContactInterval& contact : limb.contacts)
       EXPECT_TRUE(std::any_of(limb.windows.begin(), limb.windows.end(), [&](const auto& w) {
         return w.begin <= contact.begin && contact.end <= w.end;
