@@ -79,8 +79,7 @@ void candidate_card(const PanelContext& context) {
   };
   std::string hint = "Shown as a ghost until it is accepted";
   if (const auto& widened = report.limits_widened; !widened.empty()) {
-    const CardRow row{"beyond the usual limits",
-                      std::to_string(widened.size()) + (widened.size() == 1 ? " DOF" : " DOFs")};
+    const CardRow row{"beyond the usual limits", std::to_string(widened.size())};
     rows.insert(rows.end() - 2, row);
     hint += "\n\nBeyond the usual limits, as the clip is or for want of time:";
     for (const std::string& name : widened) hint += "\n" + name;
