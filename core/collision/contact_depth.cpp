@@ -18,9 +18,17 @@ struct Facet {
   double radius;
 };
 
-// The largest depth of the vertices of `from`'s patches behind `facets`, all in the query space.
+bool near(const Facet& f, const Vec3& p, double distance) {
+  const Vec3 to_middle = p - f.middle;
+  const double reach = distance + f.radius;
+  if (glm::dot(to_middle, to_middle) > reach * reach) return false;
+  return glm::length(p - closest_point(p, f.points)) <= distance;
+}
+
+// The largest depth of the vertices of `from`'s patches behind `facets`, all in the query space; 0
+// for one of at most `least`.
 double depth_behind(const CollisionBody& from, const std::vector<std::uint16_t>& patches,
-                    const std::vector<Facet>& facets) {
+                    const std::vector<Facet>& facets, double least = 0) {
   if (facets.empty()) return 0;
   Vec3 low(std::numeric_limits<double>::infinity()), high = -low;
   for (const Facet& f : facets) {
@@ -34,6 +42,7 @@ double depth_behind(const CollisionBody& from, const std::vector<std::uint16_t>&
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
 
   double deepest = 0;
+  std::size_t last = 0;  // the facet that was near enough last: neighbours are near the same one
   for (const std::uint32_t v : vertices) {
     const Vec3 p = from.query_from_body() * Vec3(from.mesh().positions()[v]);
     // Outside the box nothing is behind a surface that bulges; a flat one has vertices on it.
@@ -41,6 +50,7 @@ double depth_behind(const CollisionBody& from, const std::vector<std::uint16_t>&
       continue;
     double best = std::numeric_limits<double>::infinity();
     double side = 0, steepest = -1;
+    if (least > 0 && near(facets[last], p, least)) continue;
     for (const Facet& f : facets) {
       const double reach = best + f.radius;
       const Vec3 to_middle = p - f.middle;
@@ -58,7 +68,12 @@ double depth_behind(const CollisionBody& from, const std::vector<std::uint16_t>&
         side = cosine;
       }
       best = std::min(best, distance);
+      if (best <= least) {
+        last = static_cast<std::size_t>(&f - facets.data());
+        break;
+      }
     }
+    if (best <= least) continue;
     if (side < 0 && best > deepest) deepest = best;
   }
   return deepest;
@@ -100,6 +115,12 @@ double contact_depth(const CollisionBody& a, const std::vector<std::uint16_t>& p
                      const CollisionBody& b, const std::vector<std::uint16_t>& patches_b) {
   return std::max(depth_behind(a, patches_a, facets_of(b, patches_b)),
                   depth_behind(b, patches_b, facets_of(a, patches_a)));
+}
+
+bool deeper_than(double limit, const CollisionBody& a, const std::vector<std::uint16_t>& patches_a,
+                 const CollisionBody& b, const std::vector<std::uint16_t>& patches_b) {
+  return depth_behind(a, patches_a, facets_of(b, patches_b), limit) > limit ||
+         depth_behind(b, patches_b, facets_of(a, patches_a), limit) > limit;
 }
 
 }  // namespace elbowroom

@@ -19,5 +19,8 @@ namespace elbowroom {
 // the patches, culled; some tens of microseconds for a hand on a thigh.
 double contact_depth(const CollisionBody& a, const std::vector<std::uint16_t>& patches_a,
                      const CollisionBody& b, const std::vector<std::uint16_t>& patches_b);
+// contact_depth() > limit, at a fraction of its cost where it is not; limit ≥ 0.
+bool deeper_than(double limit, const CollisionBody& a, const std::vector<std::uint16_t>& patches_a,
+                 const CollisionBody& b, const std::vector<std::uint16_t>& patches_b);
 
 }  // namespace elbowroom

@@ -158,6 +158,24 @@ void LimbPlanningSpace::Data::build_segments() {
   }
 }
 
+bool LimbPlanningSpace::Data::are_named(int a, int b, const std::string& one,
+                                        const std::string& other) const {
+  const auto has = [&](int piece, const std::string& name) {
+    const auto& made_of = pieces[static_cast<std::size_t>(piece)].parts;
+    return std::any_of(made_of.begin(), made_of.end(), [&](int part) {
+      return scene.parts[static_cast<std::size_t>(part)] == name;
+    });
+  };
+  return (has(a, one) && has(b, other)) || (has(a, other) && has(b, one));
+}
+
+double LimbPlanningSpace::Data::margin_of(int a, int b) const {
+  double margin = 0;
+  for (const PairMargin& pair : settings.pair_margins)
+    if (pair.margin > margin && are_named(a, b, pair.part_a, pair.part_b)) margin = pair.margin;
+  return margin;
+}
+
 void LimbPlanningSpace::Data::build_pairs() {
   std::map<std::pair<int, int>, int> number;
   const auto pair_of = [&](int a, int b) {
@@ -176,7 +194,7 @@ void LimbPlanningSpace::Data::build_pairs() {
       };
       const bool within_body = settings.body_clearance >= 0 && own(a) && own(b);
       state.distance = (within_body ? settings.body_clearance : settings.clearance) +
-                       (skin ? settings.margin : 0.0);
+                       (skin ? settings.margin : 0.0) + margin_of(a, b);
       pair_states.push_back(state);
     }
     return at->second;

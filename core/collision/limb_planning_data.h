@@ -150,6 +150,9 @@ struct LimbPlanningSpace::Data {
         at_goal(goal),
         settings(given) {}
 
+  // One of two pieces has a part of the one name, the other of the other.
+  bool are_named(int a, int b, const std::string& one, const std::string& other) const;
+  double margin_of(int a, int b) const;  // Settings::pair_margins
   void build_chain();
   void build_segments();
   void build_pairs();
@@ -178,7 +181,7 @@ struct LimbPlanningSpace::Data {
   bool surely_clear(int pair, const FrameTracks::Cell& cell, const Segment& segment, double more);
   bool touches(int pair, const FrameTracks::Cell& cell, const Segment& segment);
   std::optional<bool> piece_free(const Configuration& from, const Configuration& to, double begin,
-                                 double end, std::int64_t& looks);
+                                 double end, std::int64_t& looks, std::int64_t most_looks);
 };
 
 }  // namespace elbowroom

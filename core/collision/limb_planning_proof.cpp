@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "core/collision/limb_motion.h"
 #include "core/collision/limb_planning_data.h"
@@ -23,7 +24,8 @@ constexpr std::size_t kMostIntervals = 1 << 14;
 // Of the edge's part [begin, end], which no step of the world divides.
 std::optional<bool> LimbPlanningSpace::Data::piece_free(const Configuration& from,
                                                         const Configuration& to, double begin,
-                                                        double end, std::int64_t& looks) {
+                                                        double end, std::int64_t& looks,
+                                                        std::int64_t most_looks) {
   const double height = scene.height;
   Dofs rate = from.q;
   for (int i = 0; i < rate.count; ++i) rate[i] = (to.q[i] - from.q[i]) / (to.t - from.t);
@@ -65,6 +67,7 @@ std::optional<bool> LimbPlanningSpace::Data::piece_free(const Configuration& fro
     const double middle = 0.5 * (interval.begin + interval.end);
     Configuration c = interpolate_at(from, to, middle);
     const auto cell = tracks->cell_at(middle);
+    if (looks >= most_looks) return false;
     ++looks;
     place_chain(cell, c, false);
     motion->set(rate, interval.begin, middle, interval.end, tracks->cell_at(interval.begin), cell,
@@ -94,8 +97,8 @@ std::optional<bool> LimbPlanningSpace::Data::piece_free(const Configuration& fro
 }
 
 std::optional<bool> LimbPlanningSpace::certified_free(const Configuration& from,
-                                                      const Configuration& to,
-                                                      std::int64_t& looks) {
+                                                      const Configuration& to, std::int64_t& looks,
+                                                      std::int64_t most_looks) {
   Data& d = *data_;
   const int count = d.limb.dof_count();
   if (!(from.t < to.t) || !std::isfinite(from.t) || !std::isfinite(to.t) || from.q.count < count ||
@@ -111,15 +114,17 @@ std::optional<bool> LimbPlanningSpace::certified_free(const Configuration& from,
   };
   for (const auto& [known_from, known_to] : d.proven)
     if (same(known_from, from) && same(known_to, to)) return true;
+  if (most_looks < std::numeric_limits<std::int64_t>::max() - looks) most_looks += looks;
   double begin = from.t;
   const auto& steps = d.tracks->steps();
   for (auto step = std::upper_bound(steps.begin(), steps.end(), from.t);
        step != steps.end() && *step <= to.t; ++step) {
-    const auto free = d.piece_free(from, to, begin, std::max(begin, just_before(*step)), looks);
+    const auto free =
+        d.piece_free(from, to, begin, std::max(begin, just_before(*step)), looks, most_looks);
     if (!free || !*free) return free;
     begin = *step;
   }
-  const auto free = d.piece_free(from, to, begin, to.t, looks);
+  const auto free = d.piece_free(from, to, begin, to.t, looks, most_looks);
   if (free && *free) {
     if (d.proven.size() < kMostProven) d.proven.resize(d.proven.size() + 1);
     d.proven[d.next_proven++ % kMostProven] = {from, to};

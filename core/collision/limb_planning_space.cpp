@@ -206,7 +206,7 @@ LimbPlanningSpace::LimbPlanningSpace(const SceneCollision& scene, int limb, doub
     link[i] =
         rigid_links(d.world, static_cast<int>(i), t_init, t_goal, apart, 1e-4 * d.scene.height);
   }
-  d.pieces = planning_parts(d.scene, d.world, limb, t_init, link);
+  d.pieces = planning_parts(d.scene, d.world, limb, t_init, t_goal, link);
   d.build_chain();
 
   std::vector<FrameTracks::Node> nodes;
@@ -290,6 +290,34 @@ std::pair<std::string, std::string> LimbPlanningSpace::most_blocking() const {
   if (most == 0) return {};
   return {d.parts[static_cast<std::size_t>(d.pairs[worst].a)].name,
           d.parts[static_cast<std::size_t>(d.pairs[worst].b)].name};
+}
+
+std::optional<double> LimbPlanningSpace::margin_to_refuse(const Configuration& c,
+                                                          const std::string& part_a,
+                                                          const std::string& part_b,
+                                                          double at_most) {
+  constexpr int kSteps = 16;
+  Data& d = *data_;
+  if (!std::isfinite(c.t) || c.q.count < d.limb.dof_count() || !(at_most > 0)) return std::nullopt;
+  const auto cell = d.tracks->cell_at(c.t);
+  d.tracks->fill(cell);
+  const auto& segment = d.segments[static_cast<std::size_t>(cell.segment)];
+  d.place_chain(cell, c, false);
+  int least = kSteps + 1;
+  for (std::size_t k = 0; k < d.pairs.size(); ++k) {
+    const int pair = static_cast<int>(k);
+    if (!d.are_named(d.pairs[k].a, d.pairs[k].b, part_a, part_b) || !d.in_segment(pair, segment))
+      continue;
+    // Of the steps from `low`, which is too small, to `high`.
+    int low = -1, high = least;
+    while (high - low > 1) {
+      const int middle = low + (high - low) / 2;
+      (d.near(pair, cell, segment, at_most * middle / kSteps) ? high : low) = middle;
+    }
+    least = high;
+  }
+  if (least > kSteps) return std::nullopt;
+  return at_most * least / kSteps;
 }
 
 const std::vector<LimbPlanningSpace::Part>& LimbPlanningSpace::parts() const {

@@ -18,7 +18,11 @@
 // have to be valid: what lies inside what does not change where surfaces never touch.
 #pragma once
 
+#include <limits>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "core/collision/scene_collision.h"
 #include "core/planning/state_space.h"
@@ -27,6 +31,12 @@ namespace elbowroom {
 
 class LimbPlanningSpace : public StateSpace {
  public:
+  // A margin for two parts of the scene, by their names in contact reports, in either order: where
+  // it has been seen what the skin does between them.
+  struct PairMargin {
+    std::string part_a, part_b;
+    double margin = 0;  // scene units, added to what is kept between them
+  };
   struct Settings {
     double clearance = 0;  // scene units, kept from everything that is not allowed
     double margin = 0;  // scene units, added where one of the two is skin, which leaves its rigid
@@ -34,6 +44,7 @@ class LimbPlanningSpace : public StateSpace {
     // Kept between the limb and the rest of its own body, where less is natural (an upper arm
     // hangs against its chest); negative: `clearance`.
     double body_clearance = -1;
+    std::vector<PairMargin> pair_margins{};
   };
   // `at_init`, `at_goal`: the limb's states in the clip at the window's ends; the residual goes
   // from one to the other by slerp (DESIGN.md, "Residual"). Keeps a reference to `scene`,
@@ -45,13 +56,20 @@ class LimbPlanningSpace : public StateSpace {
   bool valid(const Configuration& c) override;
   void metric_points(const Configuration& c, std::vector<Vec3>& points) override;
   const std::vector<double>& step_times() const override;
-  std::optional<bool> certified_free(const Configuration& from, const Configuration& to,
-                                     std::int64_t& looks) override;
+  std::optional<bool> certified_free(
+      const Configuration& from, const Configuration& to, std::int64_t& looks,
+      std::int64_t most_looks = std::numeric_limits<std::int64_t>::max()) override;
 
   // Residuals at time t of the window.
   std::array<Quat, 3> residual_at(double t) const;
   // The pair of parts that made valid() say no most often, for reports; empty if none did.
   std::pair<std::string, std::string> most_blocking() const;
+
+  // The least margin, beyond what is kept already, that would make valid() say no to c for the sake
+  // of two parts of those names, within a sixteenth; nothing where at_most would not (they are far
+  // apart, or may be near each other there).
+  std::optional<double> margin_to_refuse(const Configuration& c, const std::string& part_a,
+                                         const std::string& part_b, double at_most);
 
   // For benchmarks: the same geometry for another library. Parts in their own frames and their
   // placements at (q, t); `limb` tells the two sides apart.

@@ -99,10 +99,17 @@ bool visit_reach(void* context, std::uint32_t one, const std::uint32_t* many, in
   return false;
 }
 
-// Collects all contacts.
+// Collects all contacts, or one of each two patches.
 struct Collection {
   const Query& query;
   std::vector<TriangleContact>& out;
+  std::vector<bool> seen{};  // by pair of patches, where these are all that is asked; else empty
+
+  std::size_t patches_of(std::uint32_t ta, std::uint32_t tb) const {
+    return static_cast<std::size_t>(query.filter.patch_of_a[ta]) *
+               static_cast<std::size_t>(query.filter.patches_b) +
+           query.filter.patch_of_b[tb];
+  }
 };
 
 bool visit_collection(void* context, std::uint32_t one, const std::uint32_t* many, int count,
@@ -112,11 +119,17 @@ bool visit_collection(void* context, std::uint32_t one, const std::uint32_t* man
   for (int i = 0; i < count; ++i) {
     const std::uint32_t ta = one_is_a ? one : many[i], tb = one_is_a ? many[i] : one;
     if (q.filter.allows(ta, tb)) continue;
+    if (!collection.seen.empty() && collection.seen[collection.patches_of(ta, tb)]) continue;
     const TrianglePoints pa = q.triangle_a(ta), pb = q.triangle_b(tb);
     if (!triangles_touch(pa, pb, q.distance)) continue;
     TriangleContact contact;
     contact.triangle_a = ta;
     contact.triangle_b = tb;
+    if (!collection.seen.empty()) {
+      collection.seen[collection.patches_of(ta, tb)] = true;
+      collection.out.push_back(contact);
+      continue;
+    }
     if (triangles_intersect(pa, pb)) {
       contact.place = intersection_point(pa, pb);
     } else {
@@ -284,12 +297,16 @@ bool reach_each_other(const CollisionMesh& a, const CollisionMesh& b,
                            visit_reach, &search);
 }
 
-void find_contacts(const CollisionMesh& a, const CollisionMesh& b, const RigidTransform& a_from_b,
-                   double distance, const PatchFilter& filter, std::vector<TriangleContact>& out) {
+namespace {
+
+void collect(const CollisionMesh& a, const CollisionMesh& b, const RigidTransform& a_from_b,
+             double distance, const PatchFilter& filter, bool patches_only,
+             std::vector<TriangleContact>& out) {
   out.clear();
   const Query query{a.data(), b.data(), a_from_b, usable_distance(distance), filter};
   if (query.a.tree.empty() || query.b.tree.empty() || !is_finite(a_from_b)) return;
   Collection collection{query, out};
+  if (patches_only && filter.allowed) collection.seen.assign(filter.allowed->size(), false);
   visit_close_pairs(query.a.tree, query.b.tree, a_from_b, query.distance, filter.regions,
                     visit_collection, &collection);
   std::sort(out.begin(), out.end(), [](const TriangleContact& x, const TriangleContact& y) {
@@ -313,6 +330,19 @@ void find_contacts(const CollisionMesh& a, const CollisionMesh& b, const RigidTr
         }
         return false;
       });
+}
+
+}  // namespace
+
+void find_contacts(const CollisionMesh& a, const CollisionMesh& b, const RigidTransform& a_from_b,
+                   double distance, const PatchFilter& filter, std::vector<TriangleContact>& out) {
+  collect(a, b, a_from_b, distance, filter, false, out);
+}
+
+void find_patch_contacts(const CollisionMesh& a, const CollisionMesh& b,
+                         const RigidTransform& a_from_b, double distance, const PatchFilter& filter,
+                         std::vector<TriangleContact>& out) {
+  collect(a, b, a_from_b, distance, filter, true, out);
 }
 
 }  // namespace elbowroom

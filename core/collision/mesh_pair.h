@@ -87,6 +87,12 @@ bool reach_each_other(const CollisionMesh& a, const CollisionMesh& b,
 void find_contacts(const CollisionMesh& a, const CollisionMesh& b, const RigidTransform& a_from_b,
                    double distance, const PatchFilter& filter, std::vector<TriangleContact>& out);
 
+// The same for who asks which patches are in contact: of each two one pair of triangles at least,
+// none with a place (but for what is contained). `filter` has to be one that allows something.
+void find_patch_contacts(const CollisionMesh& a, const CollisionMesh& b,
+                         const RigidTransform& a_from_b, double distance, const PatchFilter& filter,
+                         std::vector<TriangleContact>& out);
+
 // The distance of the two surfaces, 0 where they cross, or `at_most` if it is larger. Containment
 // is not looked at. Exact within 1e-9 of the meshes' size.
 double surface_distance(const CollisionMesh& a, const CollisionMesh& b,

@@ -12,6 +12,8 @@
 namespace elbowroom {
 namespace {
 
+constexpr std::size_t kLooks = 5;  // at the skin, over the window
+
 void bound(PlanningPart& part) {
   const auto positions = part.mesh->positions();
   if (positions.empty()) return;
@@ -21,6 +23,11 @@ void bound(PlanningPart& part) {
   part.half = 0.5 * (high - low);
   for (const glm::vec3& p : positions)
     part.radius = std::max(part.radius, glm::distance(Vec3(p), part.centre));
+}
+
+void made_of(PlanningPart& part, int number) {
+  const auto at = std::lower_bound(part.parts.begin(), part.parts.end(), number);
+  if (at == part.parts.end() || *at != number) part.parts.insert(at, number);
 }
 
 // Scale or morphs that a clip changes need a shape of the window's own.
@@ -70,23 +77,18 @@ bool about_one_joint(const PlanningPart& a, const PlanningPart& b) {
 }
 
 std::vector<PlanningPart> planning_parts(const SceneCollision::Data& scene, const World& world,
-                                         int limb, double t_init,
+                                         int limb, double t_init, double t_goal,
                                          const std::vector<std::vector<int>>& link) {
   std::vector<PlanningPart> parts;
-  std::vector<ActorState> states;
-  world_state_at(world, t_init, states);
-  const Model& view = *world.actors[static_cast<std::size_t>(scene.actor)].model;
-  const Character& figure = view.characters[static_cast<std::size_t>(scene.character)];
-  const std::vector<Mat4> bind = bind_globals(view, figure);
-  const Pose rest = rest_pose(view.skeleton);
-
-  std::vector<Vec3> deformed;
+  std::vector<std::vector<ActorState>> states(kLooks);  // by time
+  for (std::size_t k = 0; k < kLooks; ++k)
+    world_state_at(world, t_init + (t_goal - t_init) * static_cast<double>(k) / (kLooks - 1),
+                   states[k]);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const CollisionBody& body = scene.bodies[b];
     const BodyRole& role = scene.roles[b];
     const Actor& actor = world.actors[static_cast<std::size_t>(body.actor())];
     const Model& model = *actor.model;
-    const ActorState& state = states[static_cast<std::size_t>(body.actor())];
     const bool of_limb = role.own && scene.in_limb(role.side.limb, limb);
 
     if (!body.deforms() && !changes_shape(actor, body)) {
@@ -100,21 +102,24 @@ std::vector<PlanningPart> planning_parts(const SceneCollision::Data& scene, cons
       part.segment = role.side.segment;
       part.patch_of = body.patch_of();
       part.name = scene.parts[static_cast<std::size_t>(body.triangles().front().part)];
+      for (const BodyTriangle& t : body.triangles()) made_of(part, t.part);
       bound(part);
       parts.push_back(std::move(part));
       continue;
     }
 
-    // Where every vertex is, in the world at t_init; the limb's in the bind pose's shape.
-    std::map<int, std::vector<Vec3>> places;  // by mesh
+    // Where every vertex is at each of the times, in the world.
+    const std::size_t looks = body.deforms() ? states.size() : 1;
+    std::map<int, std::vector<std::vector<Vec3>>> places;  // by mesh and time
     for (const BodyTriangle& t : body.triangles()) {
-      if (places.contains(t.mesh)) continue;
-      const Mesh& mesh = model.meshes[static_cast<std::size_t>(t.mesh)];
-      if (of_limb && body.deforms())
-        deform(model, mesh, rest, bind, deformed);
-      else
-        deform(model, mesh, state.pose, state.world_from_joint, deformed);
-      places.emplace(t.mesh, deformed);
+      auto& at = places[t.mesh];
+      if (!at.empty()) continue;
+      at.resize(looks);
+      for (std::size_t k = 0; k < looks; ++k) {
+        const ActorState& then = states[k][static_cast<std::size_t>(body.actor())];
+        deform(model, model.meshes[static_cast<std::size_t>(t.mesh)], then.pose,
+               then.world_from_joint, at[k]);
+      }
     }
     const std::vector<int>& links = link[static_cast<std::size_t>(body.actor())];
     const auto joined = joints_by_patch(scene, static_cast<int>(b), limb);
@@ -134,22 +139,13 @@ std::vector<PlanningPart> planning_parts(const SceneCollision::Data& scene, cons
       part.of_limb = of_limb;
       part.deforms = body.deforms();
       part.segment = role.side.segment;
-      const RigidTransform part_from_world =
-          inverse(rigid_frame(state.world_from_joint[static_cast<std::size_t>(node)]));
+      std::vector<RigidTransform> part_from_world;
+      for (std::size_t k = 0; k < looks; ++k)
+        part_from_world.push_back(
+            inverse(rigid_frame(states[k][static_cast<std::size_t>(body.actor())]
+                                    .world_from_joint[static_cast<std::size_t>(node)])));
       std::vector<glm::vec3> positions;
       std::vector<glm::uvec3> indices;
-      // From the bind pose to t_init, by joint: those of this piece as they stand to each other (a
-      // fist stays closed), all others as if they moved with it.
-      std::map<int, Mat4> world_from_bind;
-      const auto from_bind = [&](int joint) -> const Mat4& {
-        const int moves_with = links[static_cast<std::size_t>(joint)] == node ? joint : node;
-        const auto [at, made] = world_from_bind.try_emplace(moves_with);
-        if (made) {
-          const auto j = static_cast<std::size_t>(moves_with);
-          at->second = state.world_from_joint[j] * glm::inverse(bind[j]);
-        }
-        return at->second;
-      };
       std::map<std::pair<int, std::uint32_t>, std::uint32_t> number;
       bool finite = true;
       int named = body.triangles()[triangles.front()].part;
@@ -157,6 +153,7 @@ std::vector<PlanningPart> planning_parts(const SceneCollision::Data& scene, cons
         const BodyTriangle& source = body.triangles()[t];
         const Mesh& mesh = model.meshes[static_cast<std::size_t>(source.mesh)];
         if (source.joint == node) named = source.part;
+        made_of(part, source.part);
         glm::uvec3 corner;
         for (int k = 0; k < 3; ++k) {
           const std::uint32_t v = mesh.triangles[source.triangle][k];
@@ -164,15 +161,10 @@ std::vector<PlanningPart> planning_parts(const SceneCollision::Data& scene, cons
               number.try_emplace({source.mesh, v}, static_cast<std::uint32_t>(positions.size()));
           corner[k] = at->second;
           if (!fresh) continue;
-          Vec3 p = places.at(source.mesh)[v];
-          if (of_limb && body.deforms()) {
-            Vec3 sum(0.0);
-            for (std::uint32_t i = mesh.influence_begin[v]; i < mesh.influence_begin[v + 1]; ++i)
-              sum += static_cast<double>(mesh.influences[i].weight) *
-                     transform_point(from_bind(mesh.influences[i].joint), p);
-            p = sum;
-          }
-          p = part_from_world * p;
+          Vec3 p(0.0);
+          for (std::size_t k = 0; k < looks; ++k)
+            p += part_from_world[k] * places.at(source.mesh)[k][v];
+          p *= 1.0 / static_cast<double>(looks);
           finite = finite && std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
           positions.emplace_back(p);
         }

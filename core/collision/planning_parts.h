@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The rigid pieces a world is taken apart into for planning one limb over one window.
 //
-// The limb's pieces have the bind pose's shape in their joint's rigid frame; those of everything
-// else that deforms have the skin as it is at the window's beginning. Rigid things are themselves.
-// Scale is baked as it is at the window's beginning.
+// A piece of skin has the mean of the shapes, in its joint's rigid frame, that the clip gives it
+// over the window: the rigid part that is nearest to them all, and nearer to those of a motion that
+// stays about the clip than the bind pose's shape. Rigid things are themselves, with scale as it is
+// at the window's beginning.
 //
 // Skin is also cut where contact about a joint begins to be allowed, so that the two sides of a
 // seam, which touch always and may, are pieces that need not be tested against each other.
@@ -21,6 +22,7 @@ struct PlanningPart {
   const CollisionMesh* mesh = nullptr;  // own's, or the scene's for rigid things
   std::shared_ptr<CollisionMesh> own;
   std::string name;
+  std::vector<int> parts;               // of the scene, that it is made of; ascending
   int body = -1;                        // in the scene
   int actor = -1, node = -1;            // what it follows
   RigidTransform node_from_part;        // identity but for the scene's own bodies
@@ -41,7 +43,7 @@ bool about_one_joint(const PlanningPart& a, const PlanningPart& b);
 // `link`: rigid links of the actor in view and of the others, by actor (rigid_links.h).
 // Pieces whose shape is not finite are left out: no contact can be decided for them.
 std::vector<PlanningPart> planning_parts(const SceneCollision::Data& scene, const World& world,
-                                         int limb, double t_init,
+                                         int limb, double t_init, double t_goal,
                                          const std::vector<std::vector<int>>& link);
 
 }  // namespace elbowroom

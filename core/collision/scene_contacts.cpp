@@ -319,6 +319,39 @@ std::vector<ContactGroup> contact_groups(Data& data, const TestPair& pair, doubl
   return groups;
 }
 
+namespace {
+
+// Whether what the clip allows the pair, all that it has in contact, may be deeper than the clip
+// has it: false is certain, and quick; true leaves it to contact_groups().
+bool may_be_too_deep(Data& data, const TestPair& pair) {
+  const CollisionBody &a = data.placed(pair.a), &b = data.placed(pair.b);
+  std::vector<TriangleContact> contacts;
+  find_patch_contacts(a.mesh(), b.mesh(), data.a_from_b(pair), data.touching(),
+                      pair.allowed->filter(a, b, AllowedPatches::Reasons::lasting), contacts);
+  struct Patches {
+    std::vector<std::uint16_t> a, b;
+  };
+  std::map<std::pair<int, int>, Patches> by_parts;
+  for (const TriangleContact& contact : contacts) {
+    if (contact.contained) return true;
+    Patches& patches =
+        by_parts[{a.triangles()[contact.triangle_a].part, b.triangles()[contact.triangle_b].part}];
+    patches.a.push_back(a.patch_of()[contact.triangle_a]);
+    patches.b.push_back(b.patch_of()[contact.triangle_b]);
+  }
+  for (auto& [parts, patches] : by_parts) {
+    const double limit =
+        pair.allowed->depth_about(parts.first, parts.second, data.posed_at, data.clip_memory);
+    if (limit < 0) return true;
+    sort_unique(patches.a);
+    sort_unique(patches.b);
+    if (deeper_than(limit + data.touching(), a, patches.a, b, patches.b)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 bool Data::pair_in_contact(TestPair& pair, double distance) {
   const CollisionBody &a = placed(pair.a), &b = placed(pair.b);
   if (!a.box().within(b.box(), distance)) return false;
@@ -332,13 +365,12 @@ bool Data::pair_in_contact(TestPair& pair, double distance) {
     return any_not_allowed(groups);
   };
   // Pieces of one body: parity is looked at with the groups, where it is known which are closed.
-  if (elbowroom::in_contact(a.mesh(), b.mesh(), relative, distance,
-                            filter_of(pair, a, b, all_allowed(*this)), &pair.cache)) {
-    if (wrong_at(distance, all_allowed(*this))) return true;
-  }
+  const bool hit = elbowroom::in_contact(a.mesh(), b.mesh(), relative, distance,
+                                         filter_of(pair, a, b, all_allowed(*this)), &pair.cache);
+  if (hit && wrong_at(distance, all_allowed(*this))) return true;
   // The clip's patches: in contact, and then deeper than the clip?
   if (pair.allowed->clip_depth.empty()) return false;
-  return wrong_at(touching(), Skip::lasting);
+  return (hit || may_be_too_deep(*this, pair)) && wrong_at(touching(), Skip::lasting);
 }
 
 void Data::pair_contacts(TestPair& pair, int only_limb, bool list_allowed,

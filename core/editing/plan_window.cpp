@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <memory>
 
 #include "core/editing/motion_cost.h"
 #include "core/editing/verify_window.h"
@@ -17,6 +18,17 @@ constexpr int kHopeless = 2;          // seeds without a path, after which a vie
 constexpr double kGoodEnough = 0.02;  // a cost at which no more ways are looked for
 constexpr int kVerifiedInAView = 3;   // at most, for each asked for
 constexpr int kTriesForAProof = 3;    // after a motion that is verified but not proven
+constexpr int kLessons = 1;           // a view of rigid parts is told about the skin, at most
+constexpr int kHopelessTaught = 1;
+constexpr int kWaysTaught = 2;      // and then not looked at as long
+constexpr std::size_t kTaught = 2;  // views that are
+// What a seed may cost: shares of the iterations, and checks. A check on the skin costs ten times
+// more; where a view is looked at again the way is known to be short; and where parts are near each
+// other all along, as in a figure in armour, checks are dear and a search in vain is long.
+constexpr double kSkinEffort = 0.1, kLessonEffort = 0.25;
+constexpr std::int64_t kFirstChecks = 120000, kFurtherChecks = 40000, kLessonChecks = 12000,
+                       kSkinChecks = 6000;
+constexpr double kLargestMargin = 0.04;  // × height: skin that leaves its part farther is not met
 constexpr std::uint64_t kViewSeed = 1000003, kWaySeed = 7919;
 
 using Clock = std::chrono::steady_clock;
@@ -110,12 +122,20 @@ class WindowPlanner {
     const double all = wanted(), little = 0.1 * wanted(), least = 2 * touching();
     // Where the animator has set sampling intervals, they alone say first where to search.
     const double near_first = wishes_.sampling.empty() ? 0.25 : 0.0;
-    return {
-        {false, all, all, 0, near_first}, {false, all, little, 0, 0.9},
-        {false, all, little, skin, 0.9},  {true, all, all, 0, 0.8},
-        {true, little, little, 0, 0.9},   {false, least, least, 0, 0.9},
-        {true, least, least, 0, 0.9},
+    const auto parts = [](double clearance, double from_body, double margin, double near_share,
+                          std::int64_t checks) {
+      return PlanningView{false, clearance, from_body, margin, near_share, {}, 1, checks};
     };
+    const auto on_skin = [](double clearance, double near_share) {
+      return PlanningView{true, clearance, clearance, 0, near_share, {}, kSkinEffort, kSkinChecks};
+    };
+    return {parts(all, all, 0, near_first, kFirstChecks),
+            parts(all, little, 0, 0.9, kFurtherChecks),
+            parts(all, little, skin, 0.9, kFurtherChecks),
+            on_skin(all, 0.8),
+            on_skin(little, 0.9),
+            parts(least, least, 0, 0.9, kFurtherChecks),
+            on_skin(least, 0.9)};
   }
 
   // Another view shows no other ways; it may bring a proof.
@@ -124,34 +144,85 @@ class WindowPlanner {
     return brief_ || held_.front().report.certified || tries_for_proof_ <= 0;
   }
 
-  void try_view(const PlanningView& view, std::size_t index) {
-    std::string said = view.text() + ": ", reason;
-    const std::vector<Way> ways = ways_in(view, index, said, reason);
-    if (ways.empty()) {
-      report_.reason = reason;
-      report_.attempts.push_back(said + reason +
-                                 (report_.blocked_by.empty() ? "" : "; " + report_.blocked_by));
-      return;
+  // Where motions through rigid parts touch on the skin, the pairs that do get a margin of their
+  // own, by what the skin was seen to do, and the view is looked at again: a margin for all would
+  // close ways that are open.
+  void try_view(PlanningView view, std::size_t index) {
+    const int lessons = index >= kTaught ? 0 : kLessons;
+    for (int lesson = 0; lesson <= lessons && !stop_.stop_requested(); ++lesson) {
+      std::string said = view.text() + ": ", reason;
+      auto world = std::make_unique<PlanningWorld>(p_, view);
+      const std::vector<Way> ways = ways_in(*world, index, said, reason);
+      // On the skin it poses the limb.
+      if (view.on_skin) world.reset();
+      if (ways.empty()) {
+        report_.reason = reason;
+        report_.attempts.push_back(said + reason +
+                                   (report_.blocked_by.empty() ? "" : "; " + report_.blocked_by));
+        return;
+      }
+      lesson_ = {};
+      const std::size_t before = held_.size();
+      verify_ways(ways, said, lesson < lessons ? world.get() : nullptr);
+      if (held_.size() > before || enough() || lesson_.empty()) return;
+      take_lesson(view);
     }
-    verify_ways(ways, said);
+  }
+
+  // Margins by pair that would have kept planning from a motion that touches: the largest at any of
+  // the times of a glance.
+  void learn(const WindowMotion& motion, const KeyedMotion& keyed, PlanningWorld& world) {
+    const double most = kLargestMargin * p_.scene->height();
+    for (const GlancedContact& seen : contacts_at_a_glance(p_, keyed, stop_)) {
+      std::size_t part = 0;
+      while (part + 1 < motion.until.size() && seen.time > motion.until[part]) ++part;
+      LimbPlanningSpace* space = world.rigid(part);
+      if (space == nullptr) continue;
+      const auto margin = space->margin_to_refuse(
+          {motion.at(seen.time).value(seen.time), seen.time}, seen.part_a, seen.part_b, most);
+      if (!margin) continue;
+      auto at = std::find_if(lesson_.begin(), lesson_.end(), [&](const auto& pair) {
+        return pair.part_a == seen.part_a && pair.part_b == seen.part_b;
+      });
+      if (at == lesson_.end()) at = lesson_.insert(at, {seen.part_a, seen.part_b, 0});
+      at->margin = std::max(at->margin, *margin);
+    }
+  }
+
+  void take_lesson(PlanningView& view) const {
+    view.effort = kLessonEffort;
+    view.most_checks = kLessonChecks;
+    // Elsewhere on its way the skin may do a little more.
+    const double more = 0.1 * wanted();
+    for (const auto& learnt : lesson_) {
+      const auto at =
+          std::find_if(view.pair_margins.begin(), view.pair_margins.end(), [&](const auto& pair) {
+            return pair.part_a == learnt.part_a && pair.part_b == learnt.part_b;
+          });
+      if (at == view.pair_margins.end())
+        view.pair_margins.push_back({learnt.part_a, learnt.part_b, learnt.margin + more});
+      else
+        at->margin += learnt.margin + more;
+    }
   }
 
   // Plans paths, of which the first that has a curve may do; if not, curves are fitted along the
   // others, the nearest to what is wanted first. One that is no nearer than a curve's own path, and
   // the same way around, would bring nothing new.
-  std::vector<Way> ways_in(const PlanningView& view, std::size_t index, std::string& said,
+  std::vector<Way> ways_in(PlanningWorld& world, std::size_t index, std::string& said,
                            std::string& reason) {
+    const PlanningView& view = world.view();
     std::vector<Way> ways;
     std::vector<Planned> waiting;
-    PlanningWorld world(p_, view);
-    const int most = (view.on_skin || brief_ ? kWaysOnSkin : kWays) * asked_;
+    const bool taught = !view.pair_margins.empty();
+    const int most = (view.on_skin || brief_ ? kWaysOnSkin : taught ? kWaysTaught : kWays) * asked_;
     int planned = 0, seeds = 0;
     const auto is_good = [&] {
       return asked_ == 1 && !ways.empty() && ways.front().keeps_accelerations &&
              ways.front().cost.total() < kGoodEnough;
     };
     for (; seeds < most && !stop_.stop_requested() && !is_good(); ++seeds) {
-      if (planned == 0 && seeds >= kHopeless) break;
+      if (planned == 0 && seeds >= (taught ? kHopelessTaught : kHopeless)) break;
       Planned next;
       const std::uint64_t seed =
           wishes_.seed + kViewSeed * index + kWaySeed * static_cast<std::uint64_t>(seeds);
@@ -202,7 +273,8 @@ class WindowPlanner {
     return {};
   }
 
-  void verify_ways(const std::vector<Way>& ways, const std::string& said) {
+  // `world`, if given, learns from what touches.
+  void verify_ways(const std::vector<Way>& ways, const std::string& said, PlanningWorld* world) {
     int verified = 0;
     std::string found;
     for (const Way& way : ways) {
@@ -210,7 +282,7 @@ class WindowPlanner {
       if (!held_.empty() && is_known(way.motion)) continue;
       ++verified;
       WindowReport report = report_;
-      const std::string hit = verify(way, report);
+      const std::string hit = verify(way, report, world);
       take_costs(report);
       if (!hit.empty()) {
         report_.reason = unkeyed_.empty() ? "the planned motion touches on the deformed skin"
@@ -259,12 +331,15 @@ class WindowPlanner {
   }
 
   // Empty and one more in held_, or what it touches.
-  std::string verify(const Way& way, WindowReport& report) {
+  std::string verify(const Way& way, WindowReport& report, PlanningWorld* world) {
     auto keyed = key_motion(p_, way.motion);
     unkeyed_ = keyed ? std::string() : keyed.error().message();
     if (!keyed) return unkeyed_;
     const std::string hit = verify_keys(p_, *keyed, way.seed, stop_, progress_, report);
-    if (!hit.empty()) return hit;
+    if (!hit.empty()) {
+      if (world) learn(way.motion, *keyed, *world);
+      return hit;
+    }
     report.status = CorrectionStatus::corrected;
     report.reason.clear();
     report.blocked_by.clear();
@@ -345,6 +420,7 @@ class WindowPlanner {
   WindowReport report_;
   PlanningCosts costs_;
   std::vector<Held> held_;
+  std::vector<LimbPlanningSpace::PairMargin> lesson_;  // of the motions verified last
   int tries_for_proof_ = kTriesForAProof;
 };
 

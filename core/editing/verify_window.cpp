@@ -207,6 +207,31 @@ std::string verify_keys(WindowProblem& p, const KeyedMotion& keyed, std::uint64_
   return stop.stop_requested() ? "cancelled" : hit;
 }
 
+std::vector<GlancedContact> contacts_at_a_glance(WindowProblem& p, const KeyedMotion& keyed,
+                                                 const std::stop_token& stop) {
+  SceneCollision& scene = *p.scene;
+  const double touching = scene.settings().epsilon * scene.height();
+  std::vector<GlancedContact> seen;
+  std::vector<ContactSample> contacts;
+  scene.set_clip(keyed.clip);
+  scene.allow_beside_clip_contacts(false);
+  for (const double rate : {kGlanceRate, kVerifyRate}) {
+    const int steps = std::max(1, static_cast<int>(std::ceil((p.end - p.begin) * rate)));
+    for (int i = 0; i <= steps && !stop.stop_requested(); ++i) {
+      const double t = p.begin + (p.end - p.begin) * i / steps;
+      if (!scene.limb_in_contact(t, p.limb_index, touching)) continue;
+      contacts.clear();
+      scene.contacts_at(t, p.limb_index, false, contacts);
+      for (const ContactSample& contact : contacts)
+        seen.push_back({t, contact.part_a, contact.part_b});
+    }
+    if (!seen.empty()) break;
+  }
+  scene.set_clip(p.clip);
+  scene.allow_beside_clip_contacts(true);
+  return seen;
+}
+
 std::vector<double> verification_times(double begin, double end, const std::vector<float>& keys,
                                        const std::vector<double>& steps, std::uint64_t seed) {
   std::vector<double> times;

@@ -38,6 +38,14 @@ std::string verify_keys(WindowProblem& problem, const KeyedMotion& keyed, std::u
                         const std::stop_token& stop, const ProgressSink& progress,
                         WindowReport& report);
 
+// What touches as keys are looked at 60 times a second, or, where that shows nothing, 240.
+struct GlancedContact {
+  double time = 0;
+  std::string part_a, part_b;  // as in ContactSample
+};
+std::vector<GlancedContact> contacts_at_a_glance(WindowProblem& problem, const KeyedMotion& keyed,
+                                                 const std::stop_token& stop);
+
 // The times at which a motion over [begin, end] is looked at: 240 Hz, the keys given, 1,000 random
 // ones, both sides of steps; ascending, unique.
 std::vector<double> verification_times(double begin, double end, const std::vector<float>& keys,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 
 #include "core/collision/limb_planning_space.h"
@@ -15,7 +16,6 @@ namespace elbowroom {
 namespace {
 
 constexpr std::uint64_t kPartSeed = 15485863;
-constexpr int kSkinShare = 10;     // a check on the skin costs so many times more
 constexpr int kSkinTrials = 120;   // of fairing
 constexpr int kBlendMoments = 60;  // of a window
 constexpr double kBlends[] = {0.5, 0.25, 0.75};
@@ -74,7 +74,12 @@ std::string PlanningView::text() const {
                 "%s, clearance %.3g, from the body %.3g, margin %.3g, %.0f %% near the clip",
                 on_skin ? "deformed skin" : "rigid parts", clearance, body_clearance, margin,
                 100 * near_share);
-  return text;
+  std::string all = text;
+  for (const auto& pair : pair_margins) {
+    std::snprintf(text, sizeof text, ", %.3g more", pair.margin);
+    all += text + (" between " + pair.part_a + " and " + pair.part_b);
+  }
+  return all;
 }
 
 const Curve& WindowMotion::at(double t) const {
@@ -105,6 +110,7 @@ StateSpace& PlanningWorld::part(std::size_t index) {
     settings.clearance = view_.clearance;
     settings.margin = view_.margin;
     settings.body_clearance = view_.body_clearance;
+    settings.pair_margins = view_.pair_margins;
     auto space = std::make_unique<LimbPlanningSpace>(
         *problem_.scene, problem_.limb_index, from.time, to.time, from.state, to.state, settings);
     rigid_[index] = space.get();
@@ -136,7 +142,8 @@ WindowPaths plan_paths(const WindowProblem& p, PlanningWorld& world, const Plann
     PlannerSettings planner;
     planner.seed = part_seed(seed, i);
     planner.max_iterations =
-        view.on_skin ? std::max(1, wishes.max_iterations / kSkinShare) : wishes.max_iterations;
+        std::max(1, static_cast<int>(std::lround(view.effort * wishes.max_iterations)));
+    planner.max_validity_checks = view.most_checks;
     if (wishes.max_seconds > 0) planner.max_seconds = wishes.max_seconds;
     planner.sampling.near_share = view.near_share;
     planner.sampling.max_tries = 16;

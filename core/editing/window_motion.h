@@ -6,6 +6,8 @@
 // one at a time then.
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -13,14 +15,13 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/collision/limb_planning_space.h"
 #include "core/editing/window_problem.h"
 #include "core/planning/curve.h"
 #include "core/planning/interpolation.h"
 #include "core/planning/state_space.h"
 
 namespace elbowroom {
-
-class LimbPlanningSpace;
 
 // One way of looking at the world while planning.
 struct PlanningView {
@@ -29,6 +30,10 @@ struct PlanningView {
   double body_clearance = 0;  // from the character itself; on the skin the smaller of the two holds
   double margin = 0;          // for what the skin does beyond rigid parts, scene units
   double near_share = 0;      // of samples near the clip's own motion
+  std::vector<LimbPlanningSpace::PairMargin> pair_margins{};  // of rigid parts, beside `margin`
+  // What planning may take of each seed: a share of the iterations, and checks.
+  double effort = 1;
+  std::int64_t most_checks = std::numeric_limits<std::int64_t>::max();
 
   std::string text() const;  // for people
 };
@@ -52,6 +57,8 @@ class PlanningWorld {
 
   const PlanningView& view() const { return view_; }
   StateSpace& part(std::size_t index);
+  // The part's rigid parts; null on the skin, or where nobody has asked for the part yet.
+  LimbPlanningSpace* rigid(std::size_t index) { return rigid_[index]; }
   // What said no most often so far, "A with B"; empty if it is not known.
   std::string blocked_by() const;
 
@@ -59,7 +66,7 @@ class PlanningWorld {
   WindowProblem& problem_;
   PlanningView view_;
   std::vector<std::unique_ptr<StateSpace>> parts_;
-  std::vector<const LimbPlanningSpace*> rigid_;
+  std::vector<LimbPlanningSpace*> rigid_;
 };
 
 // Landmarks between a window's postures, smoothed: one list for each two of them.

@@ -10,7 +10,10 @@ namespace {
 
 // Samples of an edge before a proof is asked for, and edges too short to ask.
 constexpr std::int64_t kBeforeAProof = 1;
-constexpr std::int64_t kWorthAProof = 3;
+constexpr std::int64_t kWorthAProof = 6;
+// A proof that needs more looks than this share of the samples is not worth it: where the world is
+// near it would go on for hundreds.
+constexpr std::int64_t kShareForAProof = 2;
 
 // Both sides of every step in (a.t, b.t]; the end b itself is tested by whoever made it, but as
 // seen from after the step, so its near side is tested here too.
@@ -82,7 +85,7 @@ bool interpolation_free(StateSpace& world, const EdgeResolution& resolution, con
     if (!asked && samples == kBeforeAProof) {
       asked = true;
       std::int64_t looks = 0;
-      proven = world.certified_free(a, b, looks).value_or(false);
+      proven = world.certified_free(a, b, looks, n / kShareForAProof).value_or(false);
       counters.validity_checks += looks;
       if (proven) return false;
     }

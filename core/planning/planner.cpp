@@ -313,7 +313,8 @@ PlannerResult plan(StateSpace& world, const PlannerQuery& query, const PlannerSe
   Clock::time_point told = start;
   result.status = PlannerStatus::no_path;
   PlannerStats& stats = result.stats;
-  while (stats.iterations < settings.max_iterations) {
+  while (stats.iterations < settings.max_iterations &&
+         stats.checks.validity_checks < settings.max_validity_checks) {
     if (stop.stop_requested()) break;
     if (seconds_since(start) >= settings.max_seconds) break;
     const bool found = search.iterate(stats.iterations++);

@@ -49,6 +49,8 @@ struct PlannerSettings {
   double smallest_time_step = 1e-4;  // seconds between landmarks, at least
   std::uint64_t seed = 1;
   std::int64_t max_iterations = 20000;
+  // Where checks are dear, iterations say little: the search ends too when it has made these.
+  std::int64_t max_validity_checks = std::numeric_limits<std::int64_t>::max();
   double max_seconds = std::numeric_limits<double>::infinity();
 };
 

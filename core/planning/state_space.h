@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -34,10 +35,11 @@ class StateSpace {
   // A proof, or its refusal, for every configuration of the straight edge between two valid ones,
   // from.t < to.t: true if all of them are valid, false if that is not so or could not be shown.
   // Nothing: this world proves nothing, and an edge has to be sampled. `looks` grows by the
-  // configurations that were looked at.
-  virtual std::optional<bool> certified_free(const Configuration& from, const Configuration& to,
-                                             std::int64_t& looks) {
-    (void)from, (void)to, (void)looks;
+  // configurations that were looked at; what is not shown by `most_looks` of them is not.
+  virtual std::optional<bool> certified_free(
+      const Configuration& from, const Configuration& to, std::int64_t& looks,
+      std::int64_t most_looks = std::numeric_limits<std::int64_t>::max()) {
+    (void)from, (void)to, (void)looks, (void)most_looks;
     return std::nullopt;
   }
 
