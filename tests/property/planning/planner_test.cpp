@@ -176,6 +176,22 @@ TEST(Planner, ATimeBudgetIsRecordedAsIterations) {
   EXPECT_EQ(counted.stats.sampling.draws, timed.stats.sampling.draws);
 }
 
+TEST(Planner, ASearchEndsByItsChecksToo) {
+  Problem p = without_answer();
+  PlannerSettings settings;
+  settings.max_iterations = std::numeric_limits<std::int64_t>::max();
+  settings.max_validity_checks = 3000;
+  const PlannerResult checked = plan(p.world, query_of(p), settings);
+  ASSERT_EQ(checked.status, PlannerStatus::no_path);
+  EXPECT_GE(checked.stats.checks.validity_checks, 3000);
+  EXPECT_LT(checked.stats.checks.validity_checks, 6000) << "an iteration goes to its end";
+  settings.max_validity_checks = std::numeric_limits<std::int64_t>::max();
+  settings.max_iterations = checked.stats.iterations;
+  EXPECT_EQ(plan(p.world, query_of(p), settings).stats.checks.validity_checks,
+            checked.stats.checks.validity_checks)
+      << "its iterations give it again";
+}
+
 TEST(Planner, AStopIsAnsweredWithin50Milliseconds) {
   Problem p = without_answer();
   PlannerSettings settings;

@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "core/base/random.h"
 #include "core/collision/mesh_data.h"
 #include "tests/support/shapes.h"
@@ -65,6 +69,46 @@ TEST(PatchRegions, DecideNothing) {
   }
   EXPECT_GT(touching, 40);
   EXPECT_GT(hidden, 40);
+}
+
+// Whoever asks for patches only is told the same ones, at a fraction of the contacts.
+TEST(PatchContacts, AreThoseOfAllContacts) {
+  Random random(8);
+  const CollisionMesh a = mesh_of(test::limb_shape(0.5f, 2, 12, 16, random));
+  const CollisionMesh b = mesh_of(test::sphere_shape(1, 15, 24));
+  std::size_t contacts = 0, told = 0;
+  for (int round = 0; round < 100; ++round) {
+    constexpr std::size_t kPatches = 20;
+    std::vector<std::uint16_t> of_a, of_b;
+    for (std::size_t t = 0; t < a.triangles().size(); ++t)
+      of_a.push_back(static_cast<std::uint16_t>(t * kPatches / a.triangles().size()));
+    for (std::size_t t = 0; t < b.triangles().size(); ++t)
+      of_b.push_back(static_cast<std::uint16_t>(t * kPatches / b.triangles().size()));
+    std::vector<bool> allowed(kPatches * kPatches);
+    for (std::size_t i = 0; i < allowed.size(); ++i) allowed[i] = random.uniform() < 0.3;
+    const PatchFilter filter{of_a.data(), of_b.data(), static_cast<int>(kPatches), &allowed};
+    RigidTransform t;
+    t.rotation = glm::mat3_cast(quat_from_rotation_vector(
+        Vec3(random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2))));
+    t.translation = Vec3(random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-3, 3));
+    const double distance = round % 3 == 0 ? 0.0 : 0.1;
+    const auto patches = [&](const std::vector<TriangleContact>& found) {
+      std::vector<std::pair<std::uint16_t, std::uint16_t>> pairs;
+      for (const TriangleContact& c : found)
+        pairs.emplace_back(of_a[c.triangle_a], of_b[c.triangle_b]);
+      std::sort(pairs.begin(), pairs.end());
+      pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+      return pairs;
+    };
+    std::vector<TriangleContact> all, few;
+    find_contacts(a, b, t, distance, filter, all);
+    find_patch_contacts(a, b, t, distance, filter, few);
+    EXPECT_EQ(patches(few), patches(all)) << round;
+    contacts += all.size();
+    told += few.size();
+  }
+  EXPECT_GT(contacts, 1000u);
+  EXPECT_LT(3 * told, contacts);
 }
 
 TEST(PatchRegions, LeaveOutWhatIsAllowed) {

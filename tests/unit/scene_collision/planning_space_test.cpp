@@ -71,6 +71,63 @@ TEST(LimbPlanningSpace, AgreesWithTheSkin) {
   }
 }
 
+TEST(LimbPlanningSpace, AMarginOfTwoPartsIsTheirsAlone) {
+  SceneCollision scene = scene_of(post_world());
+  LimbPlanningSpace plain = space_of(scene, 0.1, 0.9);
+  const std::string post = "post.glb/Post";
+  Random random(6);
+  int told = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Configuration c = random_configuration(random, 0.1, 0.9);
+    if (!plain.valid(c)) continue;
+    for (const std::string part : {"Ada/Hand", "Ada/ForeArm", "Ada/UpperArm"}) {
+      const auto margin = plain.margin_to_refuse(c, part, post, 0.08);
+      EXPECT_EQ(plain.margin_to_refuse(c, post, part, 0.08), margin) << "in either order";
+      if (!margin) continue;
+      ASSERT_GT(*margin, 0) << "it is valid";
+      ASSERT_LE(*margin, 0.08);
+      ++told;
+      if (told % 8 != 0) continue;
+      const auto with = [&](const std::string& other, double more) {
+        return space_of(scene, 0.1, 0.9, {0.005, 0.0, -1, {{part, other, more}}});
+      };
+      EXPECT_FALSE(with(post, *margin).valid(c));
+      EXPECT_TRUE(with(post, *margin - 0.08 / 16).valid(c));
+      EXPECT_TRUE(with("plate.glb/no such part", *margin).valid(c)) << "of no other pair";
+    }
+  }
+  EXPECT_GT(told, 40);
+  const Configuration c = random_configuration(random, 0.1, 0.9);
+  EXPECT_FALSE(plain.margin_to_refuse(c, "Ada/Hand", "nobody", 0.08));
+  EXPECT_FALSE(plain.margin_to_refuse(c, "Ada/Hand", post, 0));
+  EXPECT_FALSE(
+      plain.margin_to_refuse({c.q, std::numeric_limits<double>::quiet_NaN()}, "Ada/Hand", post, 1));
+}
+
+TEST(LimbPlanningSpace, AProofOfFewLooksEnds) {
+  SceneCollision scene = scene_of(post_world());
+  LimbPlanningSpace space = space_of(scene, 0.1, 0.9);
+  Random random(9);
+  int proven = 0, given_up = 0;
+  for (int i = 0; i < 300; ++i) {
+    Configuration from = random_configuration(random, 0.1, 0.8), to = from;
+    for (int k = 0; k < to.q.count; ++k) to.q[k] += random.uniform(-0.2, 0.2);
+    to.t = from.t + 0.1;
+    if (!space.valid(from) || !space.valid(to)) continue;
+    std::int64_t looks = 0;
+    const bool few = space.certified_free(from, to, looks, 4).value_or(false);
+    EXPECT_LE(looks, 4);
+    looks = 100;
+    const bool free = space.certified_free(from, to, looks).value_or(false);
+    EXPECT_GE(looks, 100) << "they add up";
+    EXPECT_TRUE(free || !few) << "what few looks prove is proven";
+    proven += few;
+    given_up += free && !few;
+  }
+  EXPECT_GT(proven, 10);
+  EXPECT_GT(given_up, 10);
+}
+
 TEST(LimbPlanningSpace, TheClipItselfIsFreeButForObstacles) {
   SceneCollision scene =
       scene_of(world_of(make_figure({.thigh_side = 0.16}), swing_clip({0, 1}, {-0.4, -kPi / 2})));
