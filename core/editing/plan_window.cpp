@@ -12,16 +12,16 @@
 namespace elbowroom {
 namespace {
 
-constexpr int kWays = 4;              // motions planned in one view, at least, for each asked for
-constexpr int kWaysOnSkin = 1;        // where one costs a hundred times more, and in brief
-constexpr int kHopeless = 2;          // seeds without a path, after which a view is given up
+constexpr int kWays = 4;             // motions planned in one view, at least, for each asked for
+constexpr int kWaysOnSkin = 1;       // where one costs a hundred times more, and in brief
+constexpr int kHopeless = 2;         // seeds without a path, after which the first view is given up
+constexpr int kHopelessFurther = 1;  // and any other
 constexpr double kGoodEnough = 0.02;  // a cost at which no more ways are looked for
 constexpr int kVerifiedInAView = 3;   // at most, for each asked for
 constexpr int kTriesForAProof = 3;    // after a motion that is verified but not proven
 constexpr int kLessons = 1;           // a view of rigid parts is told about the skin, at most
-constexpr int kHopelessTaught = 1;
-constexpr int kWaysTaught = 2;      // and then not looked at as long
-constexpr std::size_t kTaught = 2;  // views that are
+constexpr int kWaysTaught = 2;        // and then not looked at as long
+constexpr std::size_t kTaught = 2;    // views that are
 // What a seed may cost: shares of the iterations, and checks. A check on the skin costs ten times
 // more; where a view is looked at again the way is known to be short; and where parts are near each
 // other all along, as in a figure in armour, checks are dear and a search in vain is long.
@@ -124,18 +124,31 @@ class WindowPlanner {
     const double near_first = wishes_.sampling.empty() ? 0.25 : 0.0;
     const auto parts = [](double clearance, double from_body, double margin, double near_share,
                           std::int64_t checks) {
-      return PlanningView{false, clearance, from_body, margin, near_share, {}, 1, checks};
+      PlanningView view;
+      view.clearance = clearance;
+      view.body_clearance = from_body;
+      view.margin = margin;
+      view.near_share = near_share;
+      view.most_checks = checks;
+      return view;
     };
-    const auto on_skin = [](double clearance, double near_share) {
-      return PlanningView{true, clearance, clearance, 0, near_share, {}, kSkinEffort, kSkinChecks};
+    const auto on_skin = [](double clearance, double near_share, bool as_verified) {
+      PlanningView view;
+      view.on_skin = true;
+      view.as_verified = as_verified;
+      view.clearance = view.body_clearance = clearance;
+      view.near_share = near_share;
+      view.effort = kSkinEffort;
+      view.most_checks = kSkinChecks;
+      return view;
     };
     return {parts(all, all, 0, near_first, kFirstChecks),
             parts(all, little, 0, 0.9, kFurtherChecks),
+            on_skin(all, 0.8, false),
             parts(all, little, skin, 0.9, kFurtherChecks),
-            on_skin(all, 0.8),
-            on_skin(little, 0.9),
+            on_skin(little, 0.9, true),
             parts(least, least, 0, 0.9, kFurtherChecks),
-            on_skin(least, 0.9)};
+            on_skin(least, 0.9, true)};
   }
 
   // Another view shows no other ways; it may bring a proof.
@@ -222,7 +235,7 @@ class WindowPlanner {
              ways.front().cost.total() < kGoodEnough;
     };
     for (; seeds < most && !stop_.stop_requested() && !is_good(); ++seeds) {
-      if (planned == 0 && seeds >= (taught ? kHopelessTaught : kHopeless)) break;
+      if (seeds - planned >= (index == 0 && !taught ? kHopeless : kHopelessFurther)) break;
       Planned next;
       const std::uint64_t seed =
           wishes_.seed + kViewSeed * index + kWaySeed * static_cast<std::uint64_t>(seeds);
@@ -309,7 +322,9 @@ class WindowPlanner {
   // touch.
   PlanningView between_looks() const {
     const double least = 2 * touching();
-    return {false, least, least, 0, 0};
+    PlanningView view;
+    view.clearance = view.body_clearance = least;
+    return view;
   }
 
   // Another look of a way that is held already; one that is not proven may be replaced.

@@ -9,14 +9,15 @@ namespace elbowroom {
 
 SkinPlanningSpace::SkinPlanningSpace(SceneCollision& scene, int limb, double t_init, double t_goal,
                                      const LimbState& at_init, const LimbState& at_goal,
-                                     double clearance)
+                                     double clearance, BesideClipContacts beside)
     : scene_(scene),
       limb_(limb),
       t_init_(t_init),
       t_goal_(t_goal),
       clearance_(clearance),
       at_init_(at_init),
-      at_goal_(at_goal) {
+      at_goal_(at_goal),
+      beside_(beside) {
   for (const auto& actor : scene.world().actors)
     if (actor.clip)
       for (const double t : elbowroom::step_times(*actor.clip))
@@ -38,7 +39,10 @@ LimbState SkinPlanningSpace::state_of(const Configuration& c) const {
 bool SkinPlanningSpace::valid(const Configuration& c) {
   const LimbState state = state_of(c);
   scene_.pose_limb(limb_, &state);
-  return !scene_.limb_in_contact(c.t, limb_, clearance_);
+  scene_.allow_beside_clip_contacts(beside_ == BesideClipContacts::slides);
+  const bool hit = scene_.limb_in_contact(c.t, limb_, clearance_);
+  scene_.allow_beside_clip_contacts(true);
+  return !hit;
 }
 
 void SkinPlanningSpace::metric_points(const Configuration& c, std::vector<Vec3>& points) {

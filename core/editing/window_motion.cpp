@@ -16,7 +16,7 @@ namespace elbowroom {
 namespace {
 
 constexpr std::uint64_t kPartSeed = 15485863;
-constexpr int kSkinTrials = 120;   // of fairing
+constexpr int kSkinTrials = 120;   // of fairing, and half as many for accelerations
 constexpr int kBlendMoments = 60;  // of a window
 constexpr double kBlends[] = {0.5, 0.25, 0.75};
 
@@ -72,8 +72,10 @@ std::string PlanningView::text() const {
   char text[160];
   std::snprintf(text, sizeof text,
                 "%s, clearance %.3g, from the body %.3g, margin %.3g, %.0f %% near the clip",
-                on_skin ? "deformed skin" : "rigid parts", clearance, body_clearance, margin,
-                100 * near_share);
+                !on_skin      ? "rigid parts"
+                : as_verified ? "deformed skin as verified"
+                              : "deformed skin",
+                clearance, body_clearance, margin, 100 * near_share);
   std::string all = text;
   for (const auto& pair : pair_margins) {
     std::snprintf(text, sizeof text, ", %.3g more", pair.margin);
@@ -100,11 +102,12 @@ StateSpace& PlanningWorld::part(std::size_t index) {
   const PostureAt& from = problem_.postures[index];
   const PostureAt& to = problem_.postures[index + 1];
   if (view_.on_skin) {
+    using Beside = SkinPlanningSpace::BesideClipContacts;
     // It poses the scene's limb while it lives.
     for (auto& other : parts_) other.reset();
-    parts_[index] =
-        std::make_unique<SkinPlanningSpace>(*problem_.scene, problem_.limb_index, from.time,
-                                            to.time, from.state, to.state, view_.clearance);
+    parts_[index] = std::make_unique<SkinPlanningSpace>(
+        *problem_.scene, problem_.limb_index, from.time, to.time, from.state, to.state,
+        view_.clearance, view_.as_verified ? Beside::as_verified : Beside::slides);
   } else {
     LimbPlanningSpace::Settings settings;
     settings.clearance = view_.clearance;
@@ -192,7 +195,10 @@ MotionResult fit_motion(const WindowProblem& p, PlanningWorld& world, const Wind
     query.reference = [&p](double t) { return p.reference_at(t); };
     CurveSettings settings;
     settings.seed = part_seed(paths.seed, i);
-    if (world.view().on_skin) settings.max_trials = kSkinTrials;
+    if (world.view().on_skin) {
+      settings.max_trials = kSkinTrials;
+      settings.max_relief_trials = kSkinTrials / 2;
+    }
     const auto fitted = curve_of(world.part(i), query, settings, stop, progress);
     costs.smooth_ms += ms_since(start);
     costs.add(fitted.checks);
