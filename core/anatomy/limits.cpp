@@ -9,7 +9,6 @@ namespace elbowroom {
 namespace {
 
 constexpr double kDegree = kPi / 180.0;
-constexpr double kMinimumJerkRatio = 3.08;  // see limits.h
 constexpr double kBriefestMovement = 0.15;  // seconds
 
 struct Range {

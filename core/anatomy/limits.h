@@ -30,6 +30,9 @@
 
 namespace elbowroom {
 
+// Peak acceleration times duration over peak speed, of a minimum-jerk movement.
+inline constexpr double kMinimumJerkRatio = 3.08;
+
 enum class LimbJointRole { root, middle, end };
 
 // Zero direction of a root's bone, in the body's axes (outward: away from the middle of the body on

@@ -22,8 +22,7 @@
 //    limb that come near such patches are listed in `depth_sampled`; the depth is known at the
 //    times of the verification, 240 Hz and all keys.
 //  * A contact that is excused only because the clip has it at that very moment, outside the
-//  patches
-//    gathered from it, is not certified.
+//    patches gathered from it, is not certified.
 //  * Inside and outside cannot change where surfaces never touch; that nothing is inside something
 //    is looked at once between two steps.
 //

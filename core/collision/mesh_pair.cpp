@@ -28,10 +28,9 @@ struct Query {
 };
 
 // Looks for the first contact. What decides:
-//  * each pair of triangles that culling leaves, the predicate: measured, it costs less (about 60
-//  ns)
-//    than an edge's share of a ray packet about the contact (90 ns), and it is needed anyway where
-//    rays are not to be trusted or do not reach, near pairs above all;
+//  * each pair of triangles that culling leaves, the predicate: measured, it costs less (about
+//    60 ns) than an edge's share of a ray packet about the contact (90 ns), and it is needed anyway
+//    where rays are not to be trusted or do not reach, near pairs above all;
 //  * where a first kPairsBeforeRays pairs have decided nothing, and after every doubling of them,
 //    packets of edge rays: deep in one another, large meshes have thousands of near pairs that do
 //    not cross, and a ray looks at the whole mesh at once.

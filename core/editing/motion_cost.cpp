@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/anatomy/limits.h"
 #include "core/planning/smoothing.h"
 
 namespace elbowroom {
@@ -12,7 +13,6 @@ namespace {
 constexpr int kSamples = 120;
 constexpr double kEffortTime = 0.1;         // s
 constexpr double kAccelerationTime = 0.06;  // s
-constexpr double kMinimumJerkRatio = 3.08;
 constexpr double kQuickMovement = 0.4;  // s
 
 // Deviation and effort of what is at q(t).

@@ -4,15 +4,14 @@
 //
 // The source's text and bytes are patched, never written anew:
 // * Every JSON value stays, down to the digits of its numbers, but for `buffers[].byteLength` of
-// the
-//   buffer that grows; entries are appended to `accessors`, `bufferViews`, `buffers`, `animations`.
+//   the buffer that grows; entries are appended to `accessors`, `bufferViews`, `buffers` and
+//   `animations`.
 // * The BIN chunk of the source is a byte prefix of the new one; further chunks are kept.
 // * Untouched channels copy their sampler and share its accessors, bit for bit. Channels without a
 //   node, extras and extensions of the animation are copied as they stand.
 // * Where the new bytes go: into the BIN chunk of a GLB; else into a new buffer, in a file beside
-// the
-//   output, or as a data URI where the source's buffers are that (or a meshopt fallback, which has
-//   no bytes to add to). Buffers that are not the BIN chunk stay as they are.
+//   the output, or as a data URI where the source's buffers are that (or a meshopt fallback, which
+//   has no bytes to add to). Buffers that are not the BIN chunk stay as they are.
 //
 // The output's container follows its extension: .gltf is text, .glb, .vrm and .vrma are binary, any
 // other the source's own. What a change of container needs, and only then, is changed too:
@@ -20,8 +19,7 @@
 //   `buffers`, `bufferViews[].buffer/byteOffset` and `images[].uri` change. With meshopt buffers
 //   only the first buffer moves; the rest stays external.
 // * GLB to .gltf: the BIN chunk becomes a file beside the output and the first buffer gets its
-// `uri`;
-//   chunks that are neither JSON nor BIN are dropped, with a warning.
+//   `uri`; chunks that are neither JSON nor BIN are dropped, with a warning.
 //
 // If the output lies in another folder, the files that relative URIs name are copied along, under
 // the same relative names, so that the JSON stays; where a different file of that name is in the
