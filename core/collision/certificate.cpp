@@ -50,21 +50,6 @@ NodeReference reference_of(const Data& data, const TestPair& pair, int limb) {
                                           : chain.end);
 }
 
-// Pairs of patches that may always touch, and those that may for the clip's sake of the parts of
-// which `holds` says so.
-template <typename Holds>
-std::vector<bool> allowed_near(const AllowedPatches& patches, const CollisionBody& a,
-                               const CollisionBody& b, const Holds& holds) {
-  const auto part = [](const CollisionBody& body, std::uint32_t patch) {
-    return body.triangles()[body.triangles_of_patch(static_cast<int>(patch)).front()].part;
-  };
-  std::vector<bool> allowed = patches.always;
-  const auto columns = static_cast<std::uint32_t>(patches.patches_b);
-  for (const std::uint32_t at : patches.clip_pairs)
-    if (holds(part(a, at / columns), part(b, at % columns))) allowed[at] = true;
-  return allowed;
-}
-
 struct Proof {
   SceneCollision& scene;
   Data& data;
@@ -148,11 +133,8 @@ struct Proof {
     const auto touches = [&](int part_a, int part_b) {
       return pair.allowed->clip_touches(part_a, part_b, begin, end, data.clip_memory);
     };
-    const std::vector<bool> allowed = settings.near_the_clips
-                                          ? allowed_near(*pair.allowed, a, b, touches)
-                                          : pair.allowed->touching.allowed_where(touches);
-    PatchFilter filter = settings.near_the_clips ? patch_filter(a, b, allowed)
-                                                 : pair.allowed->touching.filter(allowed);
+    const std::vector<bool> allowed = pair.allowed->touching.allowed_where(touches);
+    PatchFilter filter = pair.allowed->touching.filter(allowed);
     ClipRegions& known = clip_regions[{pair.a, pair.b}];
     if (known.allowed != allowed) {
       known.regions = patch_regions(a.mesh(), b.mesh(), filter);
@@ -168,6 +150,7 @@ struct Proof {
     certificate.time = t;
     certificate.reason = why;
     if (!pair) return false;
+    certificate.beside_clip_contacts = pair->allowed && !pair->allowed->clip_depth.empty();
     const CollisionBody &a = data.bodies[static_cast<std::size_t>(pair->a)],
                         &b = data.bodies[static_cast<std::size_t>(pair->b)];
     const auto part = [&](const CollisionBody& body, std::uint32_t triangle) {
@@ -179,6 +162,24 @@ struct Proof {
     certificate.part_b = part(b, pair->cache.triangle_b);
     if (!a_first) std::swap(certificate.part_a, certificate.part_b);
     return false;
+  }
+
+  // No proof: whether the pairs touch at times close to each other.
+  bool looked_at(double begin, double end, const std::vector<std::size_t>& open) {
+    certificate.looked_at += end - begin;
+    const double steps = std::max(1.0, std::ceil((end - begin) / settings.look_step));
+    for (double i = 0; i <= steps; ++i) {
+      const double t = i == steps ? end : begin + (end - begin) * i / steps;
+      if (stop.stop_requested()) return fail(nullptr, t, "stopped");
+      data.pose(t);
+      ++certificate.poses;
+      for (const std::size_t k : open) {
+        TestPair& pair = data.pairs_now().pairs[k];
+        if (data.pair_in_contact(pair, data.touching()))
+          return fail(&pair, t, "the two are in contact");
+      }
+    }
+    return true;
   }
 
   bool free(double begin, double end, const std::vector<std::size_t>& asked) {
@@ -197,6 +198,8 @@ struct Proof {
       certificate.shortest = std::min(certificate.shortest, end - begin);
       return true;
     }
+    if (settings.look_below > 0 && (end - begin <= settings.look_below || poses_left <= 0))
+      return looked_at(begin, end, open);
     if (!(end - begin > settings.smallest))
       return fail(
           &pairs[open.front()], middle,
@@ -250,6 +253,9 @@ Certificate certify_limb(SceneCollision& scene, int limb, double begin, double e
     return refused("the interval is empty or not finite");
   if (!(settings.longest > 0 && settings.smallest > 0 && (end - begin) / settings.longest < 1e7))
     return refused("the shortest or the longest interval is no positive number");
+  if (settings.look_below > 0 &&
+      !(settings.look_step > 0 && (end - begin) / settings.look_step < 1e9))
+    return refused("the step of a closer look is no positive number");
   if (std::any_of(data.posed_limbs.begin(), data.posed_limbs.end(),
                   [](const auto& posed) { return posed.has_value(); }))
     return refused("a limb is posed by hand");

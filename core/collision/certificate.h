@@ -42,17 +42,21 @@ struct CertificateSettings {
   double longest = 1.0 / 30;  // seconds; what is begun with
   double smallest = 1.0e-7;   // seconds; what is not free by then is not certified
   long most_poses = 4000;     // for each second of the interval; then it is given up
-  // What the clip has in contact may be; or also what is near beside it (AllowedPatches): then what
-  // holds is that the motion touches nothing but where it may while it is planned.
-  bool near_the_clips = false;
+  // For a closer look where there is no proof: intervals shorter than that (0: none), and what is
+  // left when it would be given up, are not refused, but the pairs that are open in them are looked
+  // at that often.
+  double look_below = 0;    // seconds
+  double look_step = 1e-4;  // seconds
 };
 
 struct Certificate {
   bool holds = false;
+  double looked_at = 0;  // seconds of intervals that were looked at instead: if > 0, it is no proof
   // If not: where it ended.
-  std::string part_a, part_b;  // the pair, the limb's side first
-  double time = 0;             // seconds
-  std::string reason;          // one sentence
+  std::string part_a, part_b;         // the pair, the limb's side first
+  double time = 0;                    // seconds
+  std::string reason;                 // one sentence
+  bool beside_clip_contacts = false;  // the pair is one that the clip has in contact somewhere
   // Pairs that may touch for the clip's sake and come that near: their depth is sampled only.
   std::vector<std::string> depth_sampled;
   long poses = 0, pair_checks = 0;

@@ -151,12 +151,24 @@ void SceneCollision::contacts_at(double t, int only_limb, bool list_allowed,
   }
 }
 
-bool SceneCollision::limb_in_contact(double t, int limb, double distance) {
+bool SceneCollision::limb_in_contact(double t, int limb, double distance, double from_body) {
   if (limb < 0 || !data_->knows(limb) || !std::isfinite(t) || !std::isfinite(distance)) return true;
   data_->pose(t);
   const double at = std::max(distance, data_->touching());
-  for (TestPair& pair : data_->pairs_now().pairs)
-    if (data_->concerns(pair, limb) && data_->pair_in_contact(pair, at)) return true;
+  const double at_body = from_body >= 0 ? std::max(from_body, data_->touching()) : at;
+  auto& pairs = data_->pairs_now().pairs;
+  const auto hit = [&](std::size_t k) {
+    return data_->concerns(pairs[k], limb) &&
+           data_->pair_in_contact(pairs[k], pairs[k].clip_may_allow ? at_body : at);
+  };
+  // What hit last is asked first; only the time to an answer depends on it.
+  const std::size_t last = data_->hit_last;
+  if (last < pairs.size() && hit(last)) return true;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if (k == last || !hit(k)) continue;
+    data_->hit_last = k;
+    return true;
+  }
   return !enclosed_objects(*data_, limb).empty();
 }
 

@@ -98,8 +98,9 @@ class SceneCollision {
   void contacts_at(double t, int only_limb, bool list_allowed, std::vector<ContactSample>& out);
 
   // True as soon as one contact of the limb that is not allowed is found at t, at ≤ `distance` (at
-  // least ε). Of a limb or a time that is none nothing good is said: true.
-  bool limb_in_contact(double t, int limb, double distance);
+  // least ε); with its own body, or a carried thing with its holder, at ≤ `from_body` if that is
+  // not negative. Of a limb or a time that is none nothing good is said: true.
+  bool limb_in_contact(double t, int limb, double distance, double from_body = -1);
 
   // Distance of limb (and carried objects) from everything it is not allowed to touch, at most
   // `at_most`, scene units.

@@ -75,6 +75,7 @@ struct SceneCollision::Data {
   bool posed = false;         // states are those of posed_at
   bool posed_source = false;  // and of the source clip, whatever is played
   Vec3 origin{0.0};
+  std::size_t hit_last = 0;               // place among the pairs of the one found in contact last
   std::vector<std::uint64_t> body_stamp;  // the pose each body was brought to last
   std::uint64_t stamp = 0;
 

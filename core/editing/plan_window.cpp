@@ -132,11 +132,13 @@ class WindowPlanner {
       view.most_checks = checks;
       return view;
     };
-    const auto on_skin = [](double clearance, double near_share, bool as_verified) {
+    const auto on_skin = [](double clearance, double from_body, double near_share,
+                            bool as_verified) {
       PlanningView view;
       view.on_skin = true;
       view.as_verified = as_verified;
-      view.clearance = view.body_clearance = clearance;
+      view.clearance = clearance;
+      view.body_clearance = from_body;
       view.near_share = near_share;
       view.effort = kSkinEffort;
       view.most_checks = kSkinChecks;
@@ -144,11 +146,11 @@ class WindowPlanner {
     };
     return {parts(all, all, 0, near_first, kFirstChecks),
             parts(all, little, 0, 0.9, kFurtherChecks),
-            on_skin(all, 0.8, false),
+            on_skin(all, all, 0.8, false),
             parts(all, little, skin, 0.9, kFurtherChecks),
-            on_skin(little, 0.9, true),
+            on_skin(little, little, 0.9, true),
             parts(least, least, 0, 0.9, kFurtherChecks),
-            on_skin(least, 0.9, true)};
+            on_skin(least, least, 0.9, true)};
   }
 
   // Another view shows no other ways; it may bring a proof.

@@ -9,12 +9,14 @@ namespace elbowroom {
 
 SkinPlanningSpace::SkinPlanningSpace(SceneCollision& scene, int limb, double t_init, double t_goal,
                                      const LimbState& at_init, const LimbState& at_goal,
-                                     double clearance, BesideClipContacts beside)
+                                     double clearance, double body_clearance,
+                                     BesideClipContacts beside)
     : scene_(scene),
       limb_(limb),
       t_init_(t_init),
       t_goal_(t_goal),
       clearance_(clearance),
+      body_clearance_(body_clearance),
       at_init_(at_init),
       at_goal_(at_goal),
       beside_(beside) {
@@ -40,7 +42,7 @@ bool SkinPlanningSpace::valid(const Configuration& c) {
   const LimbState state = state_of(c);
   scene_.pose_limb(limb_, &state);
   scene_.allow_beside_clip_contacts(beside_ == BesideClipContacts::slides);
-  const bool hit = scene_.limb_in_contact(c.t, limb_, clearance_);
+  const bool hit = scene_.limb_in_contact(c.t, limb_, clearance_, body_clearance_);
   scene_.allow_beside_clip_contacts(true);
   return !hit;
 }

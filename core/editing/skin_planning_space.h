@@ -14,11 +14,11 @@ class SkinPlanningSpace : public StateSpace {
   // Beside what the clip itself touches a motion has room to slide while it is planned; or none, as
   // in final verdicts, which lets what is found hold, and fewer be found.
   enum class BesideClipContacts { slides, as_verified };
-  // As LimbPlanningSpace; `clearance` in scene units. Keeps a reference to `scene` and poses its
+  // As LimbPlanningSpace; clearances in scene units. Keeps a reference to `scene` and poses its
   // limb while it lives.
   SkinPlanningSpace(SceneCollision& scene, int limb, double t_init, double t_goal,
                     const LimbState& at_init, const LimbState& at_goal, double clearance,
-                    BesideClipContacts beside = BesideClipContacts::slides);
+                    double body_clearance, BesideClipContacts beside = BesideClipContacts::slides);
   ~SkinPlanningSpace() override;
   SkinPlanningSpace(const SkinPlanningSpace&) = delete;
   SkinPlanningSpace& operator=(const SkinPlanningSpace&) = delete;
@@ -32,7 +32,7 @@ class SkinPlanningSpace : public StateSpace {
 
   SceneCollision& scene_;
   int limb_;
-  double t_init_, t_goal_, clearance_;
+  double t_init_, t_goal_, clearance_, body_clearance_;
   LimbState at_init_, at_goal_;
   BesideClipContacts beside_;
   std::vector<double> steps_;

@@ -19,10 +19,11 @@ constexpr double kGlanceRate = 60;         // Hz
 constexpr double kClearanceRate = 120;     // Hz
 constexpr std::size_t kVerifyStride = 32;  // samples between two words of progress
 constexpr int kRandomTimes = 1000;
-constexpr double kFineStep = 1e-4;       // s, between looks at what is not proven
-constexpr double kAllButTouching = 4;    // × ε, where a proof gives up: nearer is contact
-constexpr double kLeastKeyRate = 60;     // Hz
-constexpr double kClearanceReach = 0.1;  // × height: farther obstacles are not measured
+constexpr double kFineStep = 1e-4;        // s, between looks at what is not proven
+constexpr double kLookBelow = 1.0 / 240;  // s, of the intervals that are looked at so
+constexpr double kAllButTouching = 4;     // × ε, where a proof gives up: nearer is contact
+constexpr double kLeastKeyRate = 60;      // Hz
+constexpr double kClearanceReach = 0.1;   // × height: farther obstacles are not measured
 
 using Clock = std::chrono::steady_clock;
 double ms_since(Clock::time_point start) {
@@ -102,62 +103,45 @@ std::string measure_clearance(WindowProblem& p, const std::stop_token& stop,
   return {};
 }
 
-// A motion that is not proven may touch between the times it was looked at: where the proof gave
-// up, and at closer times all over the window. What is found, or an empty string.
-std::string look_closely(WindowProblem& p, double gave_up, const std::stop_token& stop,
-                         const ProgressSink& progress) {
-  SceneCollision& scene = *p.scene;
-  const double touching = scene.settings().epsilon * scene.height();
-  if (gave_up >= p.begin && gave_up <= p.end) {
-    const std::string hit = touched_at(scene, p.limb_index, gave_up, kAllButTouching * touching);
-    if (!hit.empty()) return hit;
-  }
-  const int steps = static_cast<int>(std::ceil((p.end - p.begin) / kFineStep));
-  for (int i = 0; i <= steps; ++i) {
-    if (stop.stop_requested()) return "cancelled";
-    if (progress && i % 256 == 0)
-      progress({"looking closely at what is not proven", static_cast<double>(i) / steps});
-    const std::string hit =
-        touched_at(scene, p.limb_index, std::min(p.end, p.begin + i * kFineStep), touching);
-    if (!hit.empty()) return hit;
-  }
-  return {};
-}
-
-// What a proof came to, if it gave up.
-struct Unproven {
-  double gave_up = 0;             // seconds
-  bool beside_the_clips = false;  // only what is near beside contacts of the clip stood in its way
-};
-
-// A proof for all times of the window, of the keys that the scene plays.
-Unproven certify(WindowProblem& p, const std::stop_token& stop, const ProgressSink& progress,
-                 WindowReport& report) {
+// A proof for all times of the window, of the keys that the scene plays. Where there is none, a
+// motion may touch between the times it is looked at: then what stands in the way of the proof is
+// looked at at close times, and what is found is returned, or an empty string.
+std::string certify(WindowProblem& p, const std::stop_token& stop, const ProgressSink& progress,
+                    WindowReport& report) {
   if (progress) progress({"proving the motion", -1});
   const auto start = Clock::now();
-  Certificate certificate = certify_limb(*p.scene, p.limb_index, p.begin, p.end, {}, stop);
-  Unproven unproven{certificate.time};
-  if (!certificate.holds) {
-    CertificateSettings looser;
-    looser.near_the_clips = true;
-    p.scene->allow_beside_clip_contacts(true);
-    const Certificate wide = certify_limb(*p.scene, p.limb_index, p.begin, p.end, looser, stop);
-    p.scene->allow_beside_clip_contacts(false);
-    unproven.beside_the_clips = wide.holds;
-    if (!wide.holds) unproven.gave_up = wide.time;
-  }
+  SceneCollision& scene = *p.scene;
+  Certificate certificate = certify_limb(scene, p.limb_index, p.begin, p.end, {}, stop);
   report.certified = certificate.holds;
   report.depth_sampled = std::move(certificate.depth_sampled);
   report.not_certified.clear();
-  if (!certificate.holds)
+  std::string hit;
+  const auto pair_of = [](const Certificate& c) {
+    return c.part_a.empty() ? std::string("the motion") : c.part_a + " with " + c.part_b;
+  };
+  if (!certificate.holds && !stop.stop_requested()) {
     report.not_certified =
-        (certificate.part_a.empty() ? std::string("the motion")
-                                    : certificate.part_a + " with " + certificate.part_b) +
-        at_time(certificate.time) + ": " + certificate.reason;
-  if (unproven.beside_the_clips)
-    report.not_certified += ", beside where the clip has them in contact";
+        pair_of(certificate) + at_time(certificate.time) + ": " + certificate.reason;
+    if (certificate.beside_clip_contacts)
+      report.not_certified += ", beside where the clip has them in contact";
+    const double touching = scene.settings().epsilon * scene.height();
+    if (!certificate.beside_clip_contacts)
+      hit = touched_at(scene, p.limb_index, certificate.time, kAllButTouching * touching);
+    if (hit.empty()) {
+      if (progress) progress({"looking closely at what is not proven", -1});
+      CertificateSettings closely;
+      closely.look_below = kLookBelow;
+      closely.look_step = kFineStep;
+      const Certificate looked = certify_limb(scene, p.limb_index, p.begin, p.end, closely, stop);
+      if (!looked.holds) hit = pair_of(looked) + at_time(looked.time);
+      for (const std::string& pair : looked.depth_sampled)
+        if (std::find(report.depth_sampled.begin(), report.depth_sampled.end(), pair) ==
+            report.depth_sampled.end())
+          report.depth_sampled.push_back(pair);
+    }
+  }
   report.certify_ms += ms_since(start);
-  return unproven;
+  return hit;
 }
 
 }  // namespace
@@ -192,13 +176,11 @@ std::string verify_keys(WindowProblem& p, const KeyedMotion& keyed, std::uint64_
   std::string hit = glance(p, stop);
   report.verify_ms += ms_since(start);
   if (hit.empty()) {
-    const Unproven unproven = certify(p, stop, progress, report);
+    hit = certify(p, stop, progress, report);
     const auto looking = Clock::now();
     // A proof is of all times; what it leaves to samples is looked at.
-    if (!report.certified || !report.depth_sampled.empty())
+    if (hit.empty() && (!report.certified || !report.depth_sampled.empty()))
       hit = look(p, keyed.correction.joints.front().keys.times, seed, stop, progress);
-    if (hit.empty() && !report.certified && !unproven.beside_the_clips)
-      hit = look_closely(p, unproven.gave_up, stop, progress);
     if (hit.empty()) hit = measure_clearance(p, stop, report.min_clearance);
     report.verify_ms += ms_since(looking);
   }

@@ -30,10 +30,9 @@ Result<KeyedMotion> key_motion(const WindowProblem& problem, const WindowMotion&
 // What the clip itself touches may be touched, triangle by triangle (clip_touching.h); the room to
 // slide that planning has does not count here. A glance at 60 Hz comes first, then the proof. What
 // is proven, with no depth left to samples, is not looked at again, but for its clearance at 120
-// Hz. Anything else is looked at at all of verification_times(); and every 0.1 ms where nothing is
-// proven: then surfaces all but touching where the proof ended count as contact. What is proven but
-// for places near beside contacts of the clip (CertificateSettings::near_the_clips) is not
-// certified, and needs no closer look.
+// Hz. Anything else is looked at at all of verification_times(); and the pairs that stand in the
+// way of a proof every 0.1 ms where they do (CertificateSettings::look_below). Surfaces all but
+// touching where a proof ended count as contact, but for those that the clip has in contact.
 std::string verify_keys(WindowProblem& problem, const KeyedMotion& keyed, std::uint64_t seed,
                         const std::stop_token& stop, const ProgressSink& progress,
                         WindowReport& report);

@@ -107,7 +107,8 @@ StateSpace& PlanningWorld::part(std::size_t index) {
     for (auto& other : parts_) other.reset();
     parts_[index] = std::make_unique<SkinPlanningSpace>(
         *problem_.scene, problem_.limb_index, from.time, to.time, from.state, to.state,
-        view_.clearance, view_.as_verified ? Beside::as_verified : Beside::slides);
+        view_.clearance, view_.body_clearance,
+        view_.as_verified ? Beside::as_verified : Beside::slides);
   } else {
     LimbPlanningSpace::Settings settings;
     settings.clearance = view_.clearance;

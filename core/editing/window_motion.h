@@ -28,7 +28,7 @@ struct PlanningView {
   bool on_skin = false;       // the deformed skin; else the limb's rigid parts
   bool as_verified = false;   // on the skin: no room to slide beside contacts of the clip
   double clearance = 0;       // scene units
-  double body_clearance = 0;  // from the character itself; on the skin the smaller of the two holds
+  double body_clearance = 0;  // from the character itself
   double margin = 0;          // for what the skin does beyond rigid parts, scene units
   double near_share = 0;      // of samples near the clip's own motion
   std::vector<LimbPlanningSpace::PairMargin> pair_margins{};  // of rigid parts, beside `margin`

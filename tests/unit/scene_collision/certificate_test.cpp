@@ -206,6 +206,68 @@ TEST(Certificate, SaysWhatItKnowsOfAllowedContactsBySamplesOnly) {
   EXPECT_FALSE(certificate.depth_sampled.empty());
 }
 
+CertificateSettings closely() {
+  CertificateSettings settings;
+  settings.look_below = 1.0 / 240;
+  return settings;
+}
+
+TEST(Certificate, WhatIsNotProvenIsLookedAtWhereItIsNot) {
+  // A plate that comes up to the arm, but for little more than what counts as contact: no proof.
+  const auto rising = [](double highest) {
+    return moving_clip(
+        {0, 0.4f, 0.5f, 1},
+        {{0.6, highest - 0.3, 0}, {0.6, highest, 0}, {0.6, highest, 0}, {0.6, highest - 0.3, 0}});
+  };
+  const auto with_plate = [&](double highest) {
+    return scene_of(world_of(make_figure(no_thigh()), swing_clip({0, 1}, {0, 0}),
+                             {plate(rising(highest), Vec3(0.1, 0.01, 0.1))}));
+  };
+  SceneCollision far = with_plate(1.3);
+  const double room = far.limb_clearance(0.45, 0, 0.1), epsilon = 1e-5 * kHeight;
+  ASSERT_GT(room, 0.01);
+  SceneCollision near = with_plate(1.3 + room - 1.25 * epsilon);
+  ASSERT_FALSE(near.limb_in_contact(0.45, 0, epsilon));
+  const Certificate proof = certify_limb(near, 0, 0, 1);
+  EXPECT_FALSE(proof.holds);
+  EXPECT_EQ(proof.looked_at, 0);
+  EXPECT_FALSE(proof.beside_clip_contacts);
+  const Certificate looked = certify_limb(near, 0, 0, 1, closely());
+  EXPECT_TRUE(looked.holds) << looked.reason << " " << looked.time;
+  EXPECT_GT(looked.looked_at, 0.1) << "no proof while it is there";
+  EXPECT_LT(looked.looked_at, 0.15) << "elsewhere there is one";
+  // A proof is one whether or not a closer look was asked for.
+  const Certificate free = certify_limb(far, 0, 0, 1, closely());
+  EXPECT_TRUE(free.holds);
+  EXPECT_EQ(free.looked_at, 0);
+}
+
+TEST(Certificate, ACloserLookFindsWhatSamplesMiss) {
+  Random random(7);
+  int unseen = 0;
+  for (int i = 0; i < 10; ++i) {
+    // Into the arm and out again within two milliseconds, between two samples of 240 Hz.
+    const double sample = std::floor(random.uniform(20, 220)) / 240;
+    const double at = sample + random.uniform(0.2, 0.4) / 240;
+    const auto from = static_cast<float>(at), middle = static_cast<float>(at + 0.001),
+               to = static_cast<float>(at + 0.002);
+    const double x = random.uniform(0.4, 0.8);
+    const auto clip = moving_clip(
+        {0, from, middle, to, 1},
+        {{x, 1.4, 0.12}, {x, 1.4, 0.12}, {x, 1.4, 0.04}, {x, 1.4, 0.12}, {x, 1.4, 0.12}});
+    SceneCollision scene = scene_of(world_of(make_figure(no_thigh()), swing_clip({0, 1}, {0, 0}),
+                                             {plate(clip, Vec3(0.05, 0.1, 0.0015))}));
+    unseen += !seen_by_samples(scene, 240);
+    const Certificate looked = certify_limb(scene, 0, 0, 1, closely());
+    EXPECT_FALSE(looked.holds);
+    EXPECT_EQ(looked.reason, "the two are in contact");
+    EXPECT_NEAR(looked.time, at + 0.001, 0.001);
+    EXPECT_EQ(looked.part_b, "plate.glb/Plate");
+    EXPECT_TRUE(scene.limb_in_contact(looked.time, 0, 0)) << "it can be seen";
+  }
+  EXPECT_GT(unseen, 5);
+}
+
 TEST(Certificate, RefusesWhatIsNoQuestion) {
   SceneCollision scene = scene_of(world_of(make_figure(), waving()));
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -217,6 +279,11 @@ TEST(Certificate, RefusesWhatIsNoQuestion) {
   CertificateSettings none;
   none.smallest = nan;
   EXPECT_FALSE(certify_limb(scene, 0, 0, 1, none).holds);
+  for (const double step : {0.0, -1.0, 1e-300, nan}) {
+    CertificateSettings look = closely();
+    look.look_step = step;
+    EXPECT_FALSE(certify_limb(scene, 0, 0, 1, look).holds) << step;
+  }
   std::stop_source stop;
   stop.request_stop();
   EXPECT_FALSE(certify_limb(scene, 0, 0, 1, {}, stop.get_token()).holds);
