@@ -7,28 +7,15 @@
 #include <memory>
 
 #include "core/editing/motion_cost.h"
+#include "core/editing/skin_lesson.h"
 #include "core/editing/verify_window.h"
 
 namespace elbowroom {
 namespace {
 
-constexpr int kWays = 4;             // motions planned in one view, at least, for each asked for
-constexpr int kWaysOnSkin = 1;       // where one costs a hundred times more, and in brief
-constexpr int kHopeless = 2;         // seeds without a path, after which the first view is given up
-constexpr int kHopelessFurther = 1;  // and any other
 constexpr double kGoodEnough = 0.02;  // a cost at which no more ways are looked for
 constexpr int kVerifiedInAView = 3;   // at most, for each asked for
 constexpr int kTriesForAProof = 3;    // after a motion that is verified but not proven
-constexpr int kLessons = 1;           // a view of rigid parts is told about the skin, at most
-constexpr int kWaysTaught = 2;        // and then not looked at as long
-constexpr std::size_t kTaught = 2;    // views that are
-// What a seed may cost: shares of the iterations, and checks. A check on the skin costs ten times
-// more; where a view is looked at again the way is known to be short; and where parts are near each
-// other all along, as in a figure in armour, checks are dear and a search in vain is long.
-constexpr double kSkinEffort = 0.1, kLessonEffort = 0.25;
-constexpr std::int64_t kFirstChecks = 120000, kFurtherChecks = 40000, kLessonChecks = 12000,
-                       kSkinChecks = 6000;
-constexpr double kLargestMargin = 0.04;  // × height: skin that leaves its part farther is not met
 constexpr std::uint64_t kViewSeed = 1000003, kWaySeed = 7919;
 
 using Clock = std::chrono::steady_clock;
@@ -84,7 +71,8 @@ class WindowPlanner {
     const auto start = Clock::now();
     p_.scene->set_clip(p_.clip);
     if (ends_are_free()) {
-      const std::vector<PlanningView> views = views_of();
+      const std::vector<PlanningView> views =
+          planning_views(wanted(), touching(), p_.scene->height(), !wishes_.sampling.empty());
       for (std::size_t k = 0; k < views.size() && !enough() && !stop_.stop_requested(); ++k)
         try_view(views[k], k);
     }
@@ -117,108 +105,35 @@ class WindowPlanner {
     return true;
   }
 
-  std::vector<PlanningView> views_of() const {
-    const double skin = 0.01 * p_.scene->height();
-    const double all = wanted(), little = 0.1 * wanted(), least = 2 * touching();
-    // Where the animator has set sampling intervals, they alone say first where to search.
-    const double near_first = wishes_.sampling.empty() ? 0.25 : 0.0;
-    const auto parts = [](double clearance, double from_body, double margin, double near_share,
-                          std::int64_t checks) {
-      PlanningView view;
-      view.clearance = clearance;
-      view.body_clearance = from_body;
-      view.margin = margin;
-      view.near_share = near_share;
-      view.most_checks = checks;
-      return view;
-    };
-    const auto on_skin = [](double clearance, double from_body, double near_share,
-                            bool as_verified) {
-      PlanningView view;
-      view.on_skin = true;
-      view.as_verified = as_verified;
-      view.clearance = clearance;
-      view.body_clearance = from_body;
-      view.near_share = near_share;
-      view.effort = kSkinEffort;
-      view.most_checks = kSkinChecks;
-      return view;
-    };
-    return {parts(all, all, 0, near_first, kFirstChecks),
-            parts(all, little, 0, 0.9, kFurtherChecks),
-            on_skin(all, all, 0.8, false),
-            parts(all, little, skin, 0.9, kFurtherChecks),
-            on_skin(little, little, 0.9, true),
-            parts(least, least, 0, 0.9, kFurtherChecks),
-            on_skin(least, least, 0.9, true)};
-  }
-
   // Another view shows no other ways; it may bring a proof.
   bool enough() const {
     if (held_.empty()) return false;
     return brief_ || held_.front().report.certified || tries_for_proof_ <= 0;
   }
 
-  // Where motions through rigid parts touch on the skin, the pairs that do get a margin of their
-  // own, by what the skin was seen to do, and the view is looked at again: a margin for all would
-  // close ways that are open.
-  void try_view(PlanningView view, std::size_t index) {
-    const int lessons = index >= kTaught ? 0 : kLessons;
-    for (int lesson = 0; lesson <= lessons && !stop_.stop_requested(); ++lesson) {
-      std::string said = view.text() + ": ", reason;
-      auto world = std::make_unique<PlanningWorld>(p_, view);
-      const std::vector<Way> ways = ways_in(*world, index, said, reason);
-      // On the skin it poses the limb.
-      if (view.on_skin) world.reset();
-      if (ways.empty()) {
-        report_.reason = reason;
-        report_.attempts.push_back(said + reason +
-                                   (report_.blocked_by.empty() ? "" : "; " + report_.blocked_by));
-        return;
-      }
-      lesson_ = {};
-      const std::size_t before = held_.size();
-      verify_ways(ways, said, lesson < lessons ? world.get() : nullptr);
-      if (held_.size() > before || enough() || lesson_.empty()) return;
-      take_lesson(view);
-    }
+  void try_view(const PlanningView& view, std::size_t index) {
+    SkinLesson lesson;
+    if (!look(view, index, &lesson) && !lesson.empty() && !stop_.stop_requested())
+      look(lesson.taught(view), index, nullptr);
   }
 
-  // Margins by pair that would have kept planning from a motion that touches: the largest at any of
-  // the times of a glance.
-  void learn(const WindowMotion& motion, const KeyedMotion& keyed, PlanningWorld& world) {
-    const double most = kLargestMargin * p_.scene->height();
-    for (const GlancedContact& seen : contacts_at_a_glance(p_, keyed, stop_)) {
-      std::size_t part = 0;
-      while (part + 1 < motion.until.size() && seen.time > motion.until[part]) ++part;
-      LimbPlanningSpace* space = world.rigid(part);
-      if (space == nullptr) continue;
-      const auto margin = space->margin_to_refuse(
-          {motion.at(seen.time).value(seen.time), seen.time}, seen.part_a, seen.part_b, most);
-      if (!margin) continue;
-      auto at = std::find_if(lesson_.begin(), lesson_.end(), [&](const auto& pair) {
-        return pair.part_a == seen.part_a && pair.part_b == seen.part_b;
-      });
-      if (at == lesson_.end()) at = lesson_.insert(at, {seen.part_a, seen.part_b, 0});
-      at->margin = std::max(at->margin, *margin);
+  // Whether there is one more motion that holds, or enough of them. What touches may be a lesson.
+  bool look(const PlanningView& view, std::size_t index, SkinLesson* lesson) {
+    std::string said = view.text() + ": ", reason;
+    auto world = std::make_unique<PlanningWorld>(p_, view);
+    const std::vector<Way> ways = ways_in(*world, index, said, reason);
+    if (ways.empty()) {
+      report_.reason = reason;
+      report_.attempts.push_back(said + reason +
+                                 (report_.blocked_by.empty() ? "" : "; " + report_.blocked_by));
+      return false;
     }
-  }
-
-  void take_lesson(PlanningView& view) const {
-    view.effort = kLessonEffort;
-    view.most_checks = kLessonChecks;
-    // Elsewhere on its way the skin may do a little more.
-    const double more = 0.1 * wanted();
-    for (const auto& learnt : lesson_) {
-      const auto at =
-          std::find_if(view.pair_margins.begin(), view.pair_margins.end(), [&](const auto& pair) {
-            return pair.part_a == learnt.part_a && pair.part_b == learnt.part_b;
-          });
-      if (at == view.pair_margins.end())
-        view.pair_margins.push_back({learnt.part_a, learnt.part_b, learnt.margin + more});
-      else
-        at->margin += learnt.margin + more;
-    }
+    // On the skin it poses the limb.
+    if (view.on_skin) world.reset();
+    if (!view.learns) lesson = nullptr;
+    const std::size_t before = held_.size();
+    verify_ways(ways, said, {world.get(), lesson});
+    return held_.size() > before || enough();
   }
 
   // Plans paths, of which the first that has a curve may do; if not, curves are fitted along the
@@ -229,15 +144,14 @@ class WindowPlanner {
     const PlanningView& view = world.view();
     std::vector<Way> ways;
     std::vector<Planned> waiting;
-    const bool taught = !view.pair_margins.empty();
-    const int most = (view.on_skin || brief_ ? kWaysOnSkin : taught ? kWaysTaught : kWays) * asked_;
+    const int most = (brief_ ? 1 : view.ways) * asked_;
     int planned = 0, seeds = 0;
     const auto is_good = [&] {
       return asked_ == 1 && !ways.empty() && ways.front().keeps_accelerations &&
              ways.front().cost.total() < kGoodEnough;
     };
     for (; seeds < most && !stop_.stop_requested() && !is_good(); ++seeds) {
-      if (seeds - planned >= (index == 0 && !taught ? kHopeless : kHopelessFurther)) break;
+      if (seeds - planned >= view.seeds_in_vain * asked_) break;
       Planned next;
       const std::uint64_t seed =
           wishes_.seed + kViewSeed * index + kWaySeed * static_cast<std::uint64_t>(seeds);
@@ -288,8 +202,13 @@ class WindowPlanner {
     return {};
   }
 
-  // `world`, if given, learns from what touches.
-  void verify_ways(const std::vector<Way>& ways, const std::string& said, PlanningWorld* world) {
+  // Where a motion comes from, if something is to be learnt from it.
+  struct PlannedFrom {
+    PlanningWorld* world;
+    SkinLesson* lesson;
+  };
+
+  void verify_ways(const std::vector<Way>& ways, const std::string& said, const PlannedFrom& from) {
     int verified = 0;
     std::string found;
     for (const Way& way : ways) {
@@ -297,7 +216,7 @@ class WindowPlanner {
       if (!held_.empty() && is_known(way.motion)) continue;
       ++verified;
       WindowReport report = report_;
-      const std::string hit = verify(way, report, world);
+      const std::string hit = verify(way, report, from);
       take_costs(report);
       if (!hit.empty()) {
         report_.reason = unkeyed_.empty() ? "the planned motion touches on the deformed skin"
@@ -348,13 +267,13 @@ class WindowPlanner {
   }
 
   // Empty and one more in held_, or what it touches.
-  std::string verify(const Way& way, WindowReport& report, PlanningWorld* world) {
+  std::string verify(const Way& way, WindowReport& report, const PlannedFrom& from) {
     auto keyed = key_motion(p_, way.motion);
     unkeyed_ = keyed ? std::string() : keyed.error().message();
     if (!keyed) return unkeyed_;
     const std::string hit = verify_keys(p_, *keyed, way.seed, stop_, progress_, report);
     if (!hit.empty()) {
-      if (world) learn(way.motion, *keyed, *world);
+      if (from.lesson) from.lesson->learn(p_, *from.world, way.motion, *keyed, stop_);
       return hit;
     }
     report.status = CorrectionStatus::corrected;
@@ -437,7 +356,6 @@ class WindowPlanner {
   WindowReport report_;
   PlanningCosts costs_;
   std::vector<Held> held_;
-  std::vector<LimbPlanningSpace::PairMargin> lesson_;  // of the motions verified last
   int tries_for_proof_ = kTriesForAProof;
 };
 

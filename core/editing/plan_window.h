@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 // One window of one limb, from the question to verified keys.
 //
-// The world is seen in several ways, in this order, until something holds: the limb's rigid parts
-// with the clearance asked for; the same with less room from its own body; the deformed skin itself;
-// rigid parts with a margin for what the skin does beyond them; the skin by the rule of final
-// verdicts, with little clearance; at last both with hardly any. Where motions through rigid parts
-// touch on the skin, the first two are looked at again with margins for the pairs that do. In each,
-// several motions are planned from different seeds (Algorithm 1, smoothing, the curve), those that
-// are the same way around are told apart from those that are not, and they are made keys and
-// verified on the deformed skin in the order of what they cost (motion_cost.h) [SKF07 4.1, 6.1].
+// The world is seen in several ways until something holds (planning_views.h), some of them again
+// with what was learnt from motions that touch on the skin (skin_lesson.h). In each, several
+// motions are planned from different seeds (Algorithm 1, smoothing, the curve), those that are the
+// same way around are told apart from those that are not, and they are made keys and verified on
+// the deformed skin in the order of what they cost (motion_cost.h) [SKF07 4.1, 6.1].
 #pragma once
 
 #include <optional>

@@ -68,22 +68,6 @@ void PlanningCosts::add(const CheckCounters& checks) {
   edge_checks += checks.edge_checks;
 }
 
-std::string PlanningView::text() const {
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "%s, clearance %.3g, from the body %.3g, margin %.3g, %.0f %% near the clip",
-                !on_skin      ? "rigid parts"
-                : as_verified ? "deformed skin as verified"
-                              : "deformed skin",
-                clearance, body_clearance, margin, 100 * near_share);
-  std::string all = text;
-  for (const auto& pair : pair_margins) {
-    std::snprintf(text, sizeof text, ", %.3g more", pair.margin);
-    all += text + (" between " + pair.part_a + " and " + pair.part_b);
-  }
-  return all;
-}
-
 const Curve& WindowMotion::at(double t) const {
   std::size_t i = 0;
   while (i + 1 < curves.size() && t > until[i]) ++i;

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -16,28 +15,13 @@
 
 #include "core/base/progress.h"
 #include "core/collision/limb_planning_space.h"
+#include "core/editing/planning_views.h"
 #include "core/editing/window_problem.h"
 #include "core/planning/curve.h"
 #include "core/planning/interpolation.h"
 #include "core/planning/state_space.h"
 
 namespace elbowroom {
-
-// One way of looking at the world while planning.
-struct PlanningView {
-  bool on_skin = false;       // the deformed skin; else the limb's rigid parts
-  bool as_verified = false;   // on the skin: no room to slide beside contacts of the clip
-  double clearance = 0;       // scene units
-  double body_clearance = 0;  // from the character itself
-  double margin = 0;          // for what the skin does beyond rigid parts, scene units
-  double near_share = 0;      // of samples near the clip's own motion
-  std::vector<LimbPlanningSpace::PairMargin> pair_margins{};  // of rigid parts, beside `margin`
-  // What planning may take of each seed: a share of the iterations, and checks.
-  double effort = 1;
-  std::int64_t most_checks = std::numeric_limits<std::int64_t>::max();
-
-  std::string text() const;  // for people
-};
 
 // The curves between a window's postures; one where there are none between.
 struct WindowMotion {
