@@ -234,7 +234,10 @@ void look_at_world(bool moving, int edges, Random& random, Tally& tally) {
     for (; keeps < kClearances.size(); ++keeps) {
       LimbPlanningSpace& wider = *with_clearance[keeps];
       const auto valid = [&](const auto& c) { return wider.valid(c); };
-      if (!valid(edge.from) || !valid(edge.to) || !sampled_free(edge.from, edge.to, 4, valid))
+      // Of what was refused as closely as the judge looks: between coarser samples a thing that
+      // moves comes nearer than at any of them.
+      if (!valid(edge.from) || !valid(edge.to) ||
+          !sampled_free(edge.from, edge.to, certified[i] ? 4 : kFiner, valid))
         break;
     }
     ++tally.free_by_clearance[keeps];
