@@ -13,7 +13,7 @@ namespace {
 constexpr int kSamples = 120;
 constexpr double kEffortTime = 0.1;         // s
 constexpr double kAccelerationTime = 0.06;  // s
-constexpr double kQuickMovement = 0.4;  // s
+constexpr double kQuickMovement = 0.4;      // s
 
 // Deviation and effort of what is at q(t).
 template <typename Posture>
