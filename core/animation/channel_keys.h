@@ -40,8 +40,23 @@ inline Error bad(Path path, int joint, const std::string& what, const std::strin
   return Error{what, name_of(path) + " of joint " + std::to_string(joint), remedy};
 }
 
-// Error: a channel that is not of that path or not well formed, times that do not increase, or a
-// key that is no `good(key)`, of which `fault` tells.
+// STEP as LINEAR: each value held up to the last float32 before the next key.
+template <std::size_t N>
+Keys<N> with_holds(const Keys<N>& steps) {
+  Keys<N> keys;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (i > 0 && steps[i].value != steps[i - 1].value) {
+      Key<N> hold = steps[i - 1];
+      hold.time = just_before(steps[i].time);
+      if (hold.time > keys.back().time) keys.push_back(hold);
+    }
+    keys.push_back(steps[i]);
+  }
+  return keys;
+}
+
+// A channel's keys, those of STEP as LINEAR. Error: a channel that is not of that path or not well
+// formed, times that do not increase, or a key that is no `good(key)`, of which `fault` tells.
 template <std::size_t N, typename Good>
 Result<Keys<N>> read(const Channel& channel, Path path, int joint, const Good& good,
                      const std::string& fault) {
@@ -66,22 +81,7 @@ Result<Keys<N>> read(const Channel& channel, Path path, int joint, const Good& g
     if (cubic) take(key.out);
     if (!good(key)) return bad(path, joint, fault);
   }
-  return keys;
-}
-
-// STEP as LINEAR: each value held up to the last float32 before the next key.
-template <std::size_t N>
-Keys<N> with_holds(const Keys<N>& steps) {
-  Keys<N> keys;
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    if (i > 0 && steps[i].value != steps[i - 1].value) {
-      Key<N> hold = steps[i - 1];
-      hold.time = just_before(steps[i].time);
-      if (hold.time > keys.back().time) keys.push_back(hold);
-    }
-    keys.push_back(steps[i]);
-  }
-  return keys;
+  return channel.interpolation == Interpolation::step ? with_holds(keys) : keys;
 }
 
 // Keys cut at a time: those of the side that is kept, and where the cut is.

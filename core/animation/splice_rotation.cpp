@@ -227,8 +227,7 @@ Result<Channel> splice_rotation(const Channel* source, const Quat& rest, int joi
   if (source) {
     auto read = keys_of(*source, joint);
     if (!read) return read.error();
-    old = source->interpolation == Interpolation::step ? channel_keys::with_holds(*read)
-                                                       : *std::move(read);
+    old = *std::move(read);
   } else {
     const Vec4 value = wide(rest);
     if (!finite(value) || !(glm::length(value) > 1e-6)) {

@@ -100,8 +100,7 @@ Result<Channel> splice_translation(const Channel* source, const Vec3& rest, int 
   if (source) {
     auto read = keys_of(*source, joint);
     if (!read) return read.error();
-    old = source->interpolation == Interpolation::step ? channel_keys::with_holds(*read)
-                                                       : *std::move(read);
+    old = *std::move(read);
   } else {
     if (!finite(rest)) return bad("the rest translation is not finite", joint);
     Key key;

@@ -125,8 +125,10 @@ std::string certify(WindowProblem& p, const std::stop_token& stop, const Progres
     if (certificate.beside_clip_contacts)
       report.not_certified += ", beside where the clip has them in contact";
     const double touching = scene.settings().epsilon * scene.height();
-    if (!certificate.beside_clip_contacts)
-      hit = touched_at(scene, p.limb_index, certificate.time, kAllButTouching * touching);
+    // What is near beside contacts of the clip is not all but touching.
+    scene.allow_beside_clip_contacts(true);
+    hit = touched_at(scene, p.limb_index, certificate.time, kAllButTouching * touching);
+    scene.allow_beside_clip_contacts(false);
     if (hit.empty()) {
       if (progress) progress({"looking closely at what is not proven", -1});
       CertificateSettings closely;

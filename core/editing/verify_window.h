@@ -32,7 +32,7 @@ Result<KeyedMotion> key_motion(const WindowProblem& problem, const WindowMotion&
 // is proven, with no depth left to samples, is not looked at again, but for its clearance at 120
 // Hz. Anything else is looked at at all of verification_times(); and the pairs that stand in the
 // way of a proof every 0.1 ms where they do (CertificateSettings::look_below). Surfaces all but
-// touching where a proof ended count as contact, but for those that the clip has in contact.
+// touching where a proof ended count as contact, but for what is near beside contacts of the clip.
 std::string verify_keys(WindowProblem& problem, const KeyedMotion& keyed, std::uint64_t seed,
                         const std::stop_token& stop, const ProgressSink& progress,
                         WindowReport& report);
