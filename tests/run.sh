@@ -36,7 +36,8 @@ if [ -d "$validator/node_modules/gltf-validator" ]; then
 fi
 
 say "3/4 Building in $build (the first time takes some ten minutes)"
-cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DELBOWROOM_TESTS=ON
+cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DELBOWROOM_TESTS=ON \
+  -DELBOWROOM_UNITY_TESTS=ON
 cmake --build "$build" --target "$target"
 
 if [ "$tier" = bench ]; then

@@ -56,6 +56,7 @@ struct Pair {
   const std::uint64_t* classes[2];  // of patches, by box; both null: nothing is allowed
   std::uint64_t all_classes[2];
   double slack;  // more than all rounding of a test, and R's distance from a rotation
+  bool aligned;  // the trees' axes are the same, and there are no slabs: two pieces of skin
 };
 
 void set_frame(Frame& frame, const BoxTree& tree, const Mat3& rotation, const Vec3& origin) {
@@ -86,6 +87,7 @@ bool set_pair(Pair& pair, const BoxTree& a, const BoxTree& b, const RigidTransfo
   if (length > (reach + distance) * (1 + 1e-9) + 1e-14 * coarse + 4 * defect * (reach + coarse)) {
     return false;
   }
+  pair.aligned = a.was_refit && b.was_refit && a_from_b.rotation == Mat3(1.0);
   const bool fit = regions && regions->fit(a, b);
   pair.classes[0] = fit ? regions->of_a.data() : nullptr;
   pair.classes[1] = fit ? regions->of_b.data() : nullptr;
@@ -279,6 +281,32 @@ HWY_INLINE std::uint32_t overlaps(const BoxTree::Node& node, const Frame& f, con
   return bits & ((1u << node.count) - 1u);
 }
 
+// The same where the axes of both trees are the same and boxes are all there is.
+HWY_INLINE std::uint32_t overlaps_aligned(const BoxTree::Node& node, const Frame& f, const Box& box,
+                                          float margin, float* gaps) {
+  const Lanes d;
+  std::uint32_t bits = 0;
+  const int step = static_cast<int>(hn::Lanes(d));
+  for (int first = 0; first < node.count; first += step) {
+    Vector widest = hn::Set(d, -std::numeric_limits<float>::infinity());
+    for (int i = 0; i < 3; ++i) {
+      const Vector dist =
+          hn::Sub(hn::Load(d, node.center[i] + first), hn::Set(d, box.center[i] + f.t[i]));
+      const Vector reach = hn::Add(hn::Load(d, node.half[i] + first), hn::Set(d, box.half[i]));
+      widest = hn::Max(widest, hn::Sub(hn::Abs(dist), reach));
+    }
+    // A separating axis must show itself: comparisons with NaN keep the pair.
+    const auto apart = hn::Gt(widest, hn::Set(d, margin));
+    if (hn::AllTrue(d, apart)) continue;
+    hn::Store(widest, d, gaps + first);
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, hn::Not(apart), bytes);
+    bits |= (static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8)
+            << first;
+  }
+  return bits & ((1u << node.count) - 1u);
+}
+
 HWY_INLINE void find_long_axis(Box& box) {
   box.long_axis = -1;
   for (int i = 0; i < 3; ++i)
@@ -386,7 +414,9 @@ bool VisitClose(const Pair& pair, double distance, PairVisitor visitor, void* co
     const Frame& frame = pair.frame[entry.side];
     const BoxTree::Node& node = frame.tree->nodes[static_cast<std::size_t>(entry.open)];
     alignas(64) float gaps[BoxTree::kWidth];
-    std::uint32_t bits = overlaps<false>(node, frame, entry.box, margin, 0.0f, nullptr, gaps);
+    std::uint32_t bits = pair.aligned
+                             ? overlaps_aligned(node, frame, entry.box, margin, gaps)
+                             : overlaps<false>(node, frame, entry.box, margin, 0.0f, nullptr, gaps);
     if (root && bits == 0) (entry.side == 0 ? apart.a_outside_b : apart.b_outside_a) = true;
     root = false;
     bits = not_allowed(pair, entry, bits);

@@ -71,12 +71,13 @@ struct Proof {
   };
   std::map<std::pair<Frame, int>, BodyReach> reach;  // and a body
 
-  // What the clip allowed the pair about the interval looked at last, by bodies.
-  struct ClipRegions {
-    std::vector<bool> allowed;
+  // What the clip allows a pair while it has some of its parts in contact: by bodies, and by which
+  // parts these are (ClipTouching::parts()).
+  struct ClipAllowed {
+    std::vector<bool> pieces;
     std::shared_ptr<const PatchRegions> regions;
   };
-  std::map<std::pair<int, int>, ClipRegions> clip_regions{};
+  std::map<std::pair<int, int>, std::map<std::vector<bool>, ClipAllowed>> clip_allowed{};
 
   const std::vector<PointTravel>& travel_of(const NodeReference& from, int actor) {
     const auto [at, fresh] = by_node.try_emplace({{from.actor, from.node}, actor});
@@ -108,6 +109,24 @@ struct Proof {
     return kMore * (data.touching() + slack);
   }
 
+  // What may touch since the clip touches there at all times of [begin, end].
+  PatchFilter clip_filter(const TestPair& pair, double begin, double end) {
+    const ClipTouching& touching = pair.allowed->touching;
+    std::vector<bool> touch;
+    for (const ClipTouching::Pieces& parts : touching.parts())
+      touch.push_back(
+          pair.allowed->clip_touches(parts.part_a, parts.part_b, begin, end, data.clip_memory));
+    const auto [at, fresh] = clip_allowed[{pair.a, pair.b}].try_emplace(touch);
+    ClipAllowed& allowed = at->second;
+    if (fresh) allowed.pieces = touching.allowed_where(touch);
+    PatchFilter filter = touching.filter(allowed.pieces);
+    if (fresh)
+      allowed.regions = patch_regions(data.bodies[static_cast<std::size_t>(pair.a)].mesh(),
+                                      data.bodies[static_cast<std::size_t>(pair.b)].mesh(), filter);
+    filter.regions = allowed.regions.get();
+    return filter;
+  }
+
   // The pair cannot touch within [begin, end], the interval that is looked at, but where the clip
   // itself does then.
   bool pair_free(TestPair& pair, double begin, double end) {
@@ -128,20 +147,10 @@ struct Proof {
     if (!reached(pair.allowed ? pair.allowed->filter(a, b, AllowedPatches::Reasons::lasting)
                               : PatchFilter{}))
       return true;
-    if (!pair.allowed || pair.allowed->clip_depth.empty()) return false;
+    if (!pair.allowed || pair.allowed->clip_depth.empty() || pair.allowed->touching.empty())
+      return false;
     // What the clip touches at these very times may touch, and how deep is known at samples only.
-    const auto touches = [&](int part_a, int part_b) {
-      return pair.allowed->clip_touches(part_a, part_b, begin, end, data.clip_memory);
-    };
-    const std::vector<bool> allowed = pair.allowed->touching.allowed_where(touches);
-    PatchFilter filter = pair.allowed->touching.filter(allowed);
-    ClipRegions& known = clip_regions[{pair.a, pair.b}];
-    if (known.allowed != allowed) {
-      known.regions = patch_regions(a.mesh(), b.mesh(), filter);
-      known.allowed = allowed;
-    }
-    filter.regions = known.regions.get();
-    if (reached(filter)) return false;
+    if (reached(clip_filter(pair, begin, end))) return false;
     for (const auto& [parts, depth] : pair.allowed->clip_depth) depth_sampled.insert(parts);
     return true;
   }

@@ -79,11 +79,10 @@ void ClipTouching::allow(const Pieces& pieces, std::vector<bool>& allowed) const
       allowed[static_cast<std::size_t>(p) * static_cast<std::size_t>(pieces_b_) + q] = true;
 }
 
-std::vector<bool> ClipTouching::allowed_where(
-    const std::function<bool(int part_a, int part_b)>& holds) const {
+std::vector<bool> ClipTouching::allowed_where(const std::vector<bool>& holds) const {
   std::vector<bool> allowed = lasting_;
-  for (const Pieces& pieces : parts_)
-    if (holds(pieces.part_a, pieces.part_b)) allow(pieces, allowed);
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+    if (holds[i]) allow(parts_[i], allowed);
   return allowed;
 }
 

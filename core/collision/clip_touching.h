@@ -12,7 +12,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <set>
 #include <vector>
 
@@ -53,8 +52,8 @@ class ClipTouching {
     std::vector<std::uint16_t> a, b;  // ascending
   };
   const std::vector<Pieces>& parts() const { return parts_; }
-  // What may always meet, and what may for the clip's sake of the parts that `holds` says.
-  std::vector<bool> allowed_where(const std::function<bool(int part_a, int part_b)>& holds) const;
+  // What may always meet, and what may for the clip's sake of the parts that `holds`, by parts().
+  std::vector<bool> allowed_where(const std::vector<bool>& holds) const;
 
  private:
   void allow(const Pieces& pieces, std::vector<bool>& allowed) const;

@@ -272,20 +272,26 @@ void CollisionBody::skin(const ActorState& state, const Vec3& origin) {
     if (!morph_begin_.empty())
       for (std::uint32_t i = morph_begin_[v]; i < morph_begin_[v + 1]; ++i)
         p += morph_weights_[weight_base + morphs_[i].target] * morphs_[i].offset;
-    double blend[12] = {};
-    double total = 0;
-    for (std::uint32_t i = weight_begin_[v]; i < weight_begin_[v + 1]; ++i) {
-      const double w = weights_[i].weight;
-      const double* m = rows[weights_[i].slot].m;
-      for (int k = 0; k < 12; ++k) blend[k] += w * m[k];
-      total += w;
-    }
-    // Weights are float and sum to 1 but for rounding; the player's sum is what stands there, so
-    // the part of the origin that the weights left out is put right.
+    const std::uint32_t first = weight_begin_[v], last = weight_begin_[v + 1];
     Vec3 q;
-    for (int r = 0; r < 3; ++r)
-      q[r] = blend[r] * p.x + blend[3 + r] * p.y + blend[6 + r] * p.z + blend[9 + r] -
-             (1.0 - total) * origin[r];
+    if (last - first == 1 && weights_[first].weight == 1.0) {
+      const double* m = rows[weights_[first].slot].m;
+      for (int r = 0; r < 3; ++r) q[r] = m[r] * p.x + m[3 + r] * p.y + m[6 + r] * p.z + m[9 + r];
+    } else {
+      double blend[12] = {};
+      double total = 0;
+      for (std::uint32_t i = first; i < last; ++i) {
+        const double w = weights_[i].weight;
+        const double* m = rows[weights_[i].slot].m;
+        for (int k = 0; k < 12; ++k) blend[k] += w * m[k];
+        total += w;
+      }
+      // Weights are float and sum to 1 but for rounding; the player's sum is what stands there, so
+      // the part of the origin that the weights left out is put right.
+      for (int r = 0; r < 3; ++r)
+        q[r] = blend[r] * p.x + blend[3 + r] * p.y + blend[6 + r] * p.z + blend[9 + r] -
+               (1.0 - total) * origin[r];
+    }
     glm::vec3 place(q);
     // A pose that leaves the numbers (a scale that overflows) keeps the last place it had: contact
     // can't be decided there, and the reader has refused files that hold such numbers themselves.
@@ -340,6 +346,15 @@ void CollisionBody::cut(double patch_diameter, double weld_tolerance) {
   std::vector<std::uint32_t> next(patch_begin_.begin(), patch_begin_.end() - 1);
   for (std::uint32_t i = 0; i < patch_of_.size(); ++i) patch_triangles_[next[patch_of_[i]]++] = i;
 
+  patch_vertex_begin_.assign(1, 0);
+  for (std::size_t p = 0; p < count; ++p) {
+    std::set<std::uint32_t> vertices;
+    for (std::uint32_t i = patch_begin_[p]; i < patch_begin_[p + 1]; ++i)
+      for (int k = 0; k < 3; ++k) vertices.insert(mesh_->triangles()[patch_triangles_[i]][k]);
+    patch_vertices_.insert(patch_vertices_.end(), vertices.begin(), vertices.end());
+    patch_vertex_begin_.push_back(static_cast<std::uint32_t>(patch_vertices_.size()));
+  }
+
   std::vector<std::set<std::uint16_t>> around(count);
   std::vector<std::uint16_t> here;  // patches that meet at a point
   for (std::size_t p = 0; p + 1 < surface.fan_begin.size(); ++p) {
@@ -385,6 +400,12 @@ std::span<const std::uint32_t> CollisionBody::triangles_of_patch(int patch) cons
   const auto p = static_cast<std::size_t>(patch);
   return std::span(patch_triangles_)
       .subspan(patch_begin_[p], patch_begin_[p + 1] - patch_begin_[p]);
+}
+
+std::span<const std::uint32_t> CollisionBody::vertices_of_patch(int patch) const {
+  const auto p = static_cast<std::size_t>(patch);
+  return std::span(patch_vertices_)
+      .subspan(patch_vertex_begin_[p], patch_vertex_begin_[p + 1] - patch_vertex_begin_[p]);
 }
 
 std::span<const std::uint16_t> CollisionBody::neighbours_of_patch(int patch) const {

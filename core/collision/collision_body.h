@@ -79,8 +79,10 @@ class CollisionBody {
 
   const std::vector<std::uint16_t>& patch_of() const { return patch_of_; }
   int patch_count() const { return patch_count_; }
-  // Triangles of one patch, and the patches that share a point with it (itself not included).
+  // Triangles of one patch, their vertices, each once, and the patches that share a point with it
+  // (itself not included).
   std::span<const std::uint32_t> triangles_of_patch(int patch) const;
+  std::span<const std::uint32_t> vertices_of_patch(int patch) const;
   std::span<const std::uint16_t> neighbours_of_patch(int patch) const;
   // 1 where the file's winding looks outward, -1 where it looks inward (a mirrored mesh).
   double winding(std::uint32_t triangle) const { return winding_[triangle]; }
@@ -167,6 +169,7 @@ class CollisionBody {
   std::vector<std::uint16_t> patch_of_;
   int patch_count_ = 0;
   std::vector<std::uint32_t> patch_begin_, patch_triangles_;
+  std::vector<std::uint32_t> patch_vertex_begin_, patch_vertices_;
   std::vector<std::uint32_t> neighbour_begin_;
   std::vector<std::uint16_t> neighbours_;
   std::vector<double> winding_;

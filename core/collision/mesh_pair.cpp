@@ -301,11 +301,17 @@ namespace {
 void collect(const CollisionMesh& a, const CollisionMesh& b, const RigidTransform& a_from_b,
              double distance, const PatchFilter& filter, bool patches_only,
              std::vector<TriangleContact>& out) {
-  out.clear();
+  std::vector<TriangleContact> earlier;
+  earlier.swap(out);
   const Query query{a.data(), b.data(), a_from_b, usable_distance(distance), filter};
   if (query.a.tree.empty() || query.b.tree.empty() || !is_finite(a_from_b)) return;
   Collection collection{query, out};
-  if (patches_only && filter.allowed) collection.seen.assign(filter.allowed->size(), false);
+  if (patches_only && filter.allowed) {
+    collection.seen.assign(filter.allowed->size(), false);
+    for (const TriangleContact& c : earlier)
+      if (c.triangle_a < query.a.triangles.size() && c.triangle_b < query.b.triangles.size())
+        visit_collection(&collection, c.triangle_a, &c.triangle_b, 1, true);
+  }
   visit_close_pairs(query.a.tree, query.b.tree, a_from_b, query.distance, filter.regions,
                     visit_collection, &collection);
   std::sort(out.begin(), out.end(), [](const TriangleContact& x, const TriangleContact& y) {

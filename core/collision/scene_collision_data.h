@@ -33,6 +33,7 @@ struct TestPair {
   bool clip_may_allow = false;        // body against body, or a carried thing and its holder
   AllowedPatches* allowed = nullptr;  // null: nothing is
   PairCache cache;
+  std::vector<TriangleContact> touched;  // that the clip allows, when last looked at
 };
 
 // The segment of an actor that follows nothing of the character in view.

@@ -323,16 +323,15 @@ namespace {
 
 // Whether what the clip allows the pair, all that it has in contact, may be deeper than the clip
 // has it: false is certain, and quick; true leaves it to contact_groups().
-bool may_be_too_deep(Data& data, const TestPair& pair) {
+bool may_be_too_deep(Data& data, TestPair& pair) {
   const CollisionBody &a = data.placed(pair.a), &b = data.placed(pair.b);
-  std::vector<TriangleContact> contacts;
   find_patch_contacts(a.mesh(), b.mesh(), data.a_from_b(pair), data.touching(),
-                      pair.allowed->filter(a, b, AllowedPatches::Reasons::lasting), contacts);
+                      pair.allowed->filter(a, b, AllowedPatches::Reasons::lasting), pair.touched);
   struct Patches {
     std::vector<std::uint16_t> a, b;
   };
   std::map<std::pair<int, int>, Patches> by_parts;
-  for (const TriangleContact& contact : contacts) {
+  for (const TriangleContact& contact : pair.touched) {
     if (contact.contained) return true;
     Patches& patches =
         by_parts[{a.triangles()[contact.triangle_a].part, b.triangles()[contact.triangle_b].part}];

@@ -2,13 +2,12 @@
 // Several ways around, and what would do where there is none.
 #include "assets/demo.h"
 #include "core/animation/skeleton.h"
+#include "tests/cli/program.h"
 #include "tests/support/cli_scene.h"
 
 namespace elbowroom::test {
 namespace {
 
-const std::string kProgram = ELBOWROOM_PROGRAM;
-const std::filesystem::path kDemo = ELBOWROOM_DEMO_DIR;
 constexpr double kClearlyOther = 3 * kPi / 180;  // radians, of some joint at some time
 
 std::vector<std::string> demo_call(const std::filesystem::path& out,

@@ -4,24 +4,12 @@
 #include <set>
 
 #include "assets/demo.h"
+#include "tests/cli/program.h"
 #include "tests/support/cli_scene.h"
 #include "tests/support/simple_glb.h"
 
 namespace elbowroom::test {
 namespace {
-
-const std::string kProgram = ELBOWROOM_PROGRAM;
-const std::filesystem::path kDemo = ELBOWROOM_DEMO_DIR;
-const std::string kMannequin = kDemo / "mannequin.glb";
-
-ProgramRun run(const std::vector<std::string>& arguments, int interrupt_after_ms = 0) {
-  return run_program(kProgram, arguments, interrupt_after_ms);
-}
-
-std::string bytes_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 // What stands in a folder, so that "nothing is written" can be seen.
 std::set<std::string> listing(const std::filesystem::path& folder) {

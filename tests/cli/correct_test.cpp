@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The main job, end to end: clips that collide come out of the program free, whole and in time.
 #include "assets/demo.h"
+#include "tests/cli/program.h"
 #include "tests/support/cli_scene.h"
 
 namespace elbowroom::test {
 namespace {
-
-const std::string kProgram = ELBOWROOM_PROGRAM;
-const std::filesystem::path kDemo = ELBOWROOM_DEMO_DIR;
 
 TEST(Correct, TheDemo) {
   const Folder folder;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Feet that hang from the rig's root, end to end: a post in the way of a running leg.
+#include "tests/cli/program.h"
 #include "tests/support/cli_scene.h"
 
 namespace elbowroom::test {
 namespace {
-
-const std::string kProgram = ELBOWROOM_PROGRAM;
 
 class DetachedFeet : public testing::TestWithParam<LimbKind> {};
 

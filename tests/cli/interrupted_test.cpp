@@ -3,15 +3,13 @@
 #include <map>
 
 #include "assets/demo.h"
+#include "tests/cli/program.h"
 #include "tests/support/cli_scene.h"
 
 namespace elbowroom::test {
 namespace {
 
 namespace fs = std::filesystem;
-const std::string kProgram = ELBOWROOM_PROGRAM;
-const fs::path kDemo = ELBOWROOM_DEMO_DIR;
-const std::string kMannequin = kDemo / "mannequin.glb";
 
 // Runs what writes out.glb and r.json into the folder, and requires one of the two outcomes.
 // `signals`: how many, `apart_ms` from each other. True if it was interrupted.

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "assets/demo.h"
+#include "tests/cli/program.h"
 #include "tests/support/cli_scene.h"
 #include "tests/support/simple_glb.h"
 
@@ -11,17 +12,6 @@ namespace elbowroom::test {
 namespace {
 
 namespace fs = std::filesystem;
-const std::string kProgram = ELBOWROOM_PROGRAM;
-const fs::path kDemo = ELBOWROOM_DEMO_DIR;
-
-ProgramRun run(const std::vector<std::string>& arguments) {
-  return run_program(kProgram, arguments);
-}
-
-std::string bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 // Every file of a folder, with its bytes.
 std::map<std::string, std::string> contents(const fs::path& folder) {

@@ -4,15 +4,12 @@
 #include <map>
 
 #include "assets/demo.h"
+#include "tests/cli/program.h"
 #include "tests/support/cli_scene.h"
 #include "tests/support/simple_glb.h"
 
 namespace elbowroom::test {
 namespace {
-
-const std::string kProgram = ELBOWROOM_PROGRAM;
-const std::filesystem::path kDemo = ELBOWROOM_DEMO_DIR;
-const std::string kMannequin = kDemo / "mannequin.glb";
 
 nlohmann::json task(const std::string& name, const std::string& limb) {
   return {{"kind", "correct"}, {"name", name}, {"limb", limb}};
@@ -29,11 +26,6 @@ nlohmann::json demo_project(const nlohmann::json& tasks) {
                {"joint", demo::kAttachJoint},
                {"translation", {demo::kGripX, demo::kGripY, demo::kGripZ}}}}}}},
           {"tasks", tasks}};
-}
-
-std::string bytes_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 TEST(Limb, IsNamedByItsJointsToo) {

@@ -4,13 +4,11 @@
 #include "assets/demo.h"
 #include "core/anatomy/limb_model.h"
 #include "core/io/gltf_reader.h"
+#include "tests/cli/program.h"
 #include "tests/support/cli_scene.h"
 
 namespace elbowroom::test {
 namespace {
-
-const std::string kProgram = ELBOWROOM_PROGRAM;
-const std::filesystem::path kDemo = ELBOWROOM_DEMO_DIR;
 
 std::string number(double value) {
   char text[40];

@@ -11,7 +11,7 @@ foreach(label fast long)
     set(folder cli/long)
     set(limit 3000)
   endif()
-  elbowroom_tests(${name} ${folder} LABEL ${label} TIMEOUT ${limit}
+  elbowroom_tests(${name} ${folder} LABEL ${label} TIMEOUT ${limit} TOGETHER
     LINK elbowroom_judge elbowroom_io elbowroom_anatomy nlohmann_json::nlohmann_json)
   if(TARGET ${name})
     target_compile_definitions(${name} PRIVATE

@@ -37,7 +37,8 @@ bool plan_window_as_peer(SceneCollision& scene, const std::shared_ptr<const Clip
   const LimbState& from = p.postures.front().state;
   const LimbState& to = p.postures.back().state;
   LimbPlanningSpace space(scene, limb, p.begin, p.end, from, to, {});
-  const auto world = bench::make_fcl_world(space, bench::BoxKind::obb_float);
+  const auto world =
+      test::make_fcl_world(space, test::BoxKind::obb_float, test::AllowedPairs::without_concerned);
   bench::PeerSettings settings;
   settings.resolution = PlannerSettings{}.resolution;
   settings.max_seconds = window.most_seconds;

@@ -7,29 +7,18 @@
 // for linearly, as ours are. FCL knows no clearance short of a distance query (over 100 times as
 // dear), so the peer keeps none.
 //
-// Allowed contacts: FCL has no filter on triangles. A pair of parts with allowed patches is tested
-// without the triangles that the allowance concerns on both sides, which leaves the peer less to
-// test, and to avoid, than ours has.
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
-#include "core/collision/limb_planning_space.h"
+#include "core/base/dof_space.h"
 #include "core/planning/interpolation.h"
+#include "tests/support/fcl_world/fcl_world.h"
 
 namespace elbowroom::bench {
 
-// FCL's verdict on a configuration: an independent one, used by the peer and as the judge of both.
-class FclWorld {
- public:
-  virtual ~FclWorld() = default;
-  virtual bool free(const Configuration& c) = 0;
-};
-
-enum class BoxKind { obbrss_double, obb_float };
-std::unique_ptr<FclWorld> make_fcl_world(LimbPlanningSpace& space, BoxKind kind);
+using test::FclWorld;
 
 // What the peer is asked: the limb's own question, without a clearance.
 struct PeerProblem {

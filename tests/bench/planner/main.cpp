@@ -31,6 +31,9 @@
 namespace elbowroom::bench {
 namespace {
 
+using test::AllowedPairs;
+using test::BoxKind;
+
 struct Options {
   int seeds = 100;
   std::string problem;
@@ -156,9 +159,10 @@ void print_check_costs(const Problem& p, const Options& options) {
   const auto space = p.planning_space(0);
   line("ours", [&](const Configuration& c) { return space->valid(c); });
   if (options.ours) return;
-  const auto boxes = make_fcl_world(*space, BoxKind::obbrss_double);
+  const auto boxes =
+      make_fcl_world(*space, BoxKind::obbrss_double, AllowedPairs::without_concerned);
   line("FCL OBBRSS double", [&](const Configuration& c) { return boxes->free(c); });
-  const auto floats = make_fcl_world(*space, BoxKind::obb_float);
+  const auto floats = make_fcl_world(*space, BoxKind::obb_float, AllowedPairs::without_concerned);
   line("FCL OBB float", [&](const Configuration& c) { return floats->free(c); });
   std::vector<RigidTransform> placements;
   line("placing the parts alone", [&](const Configuration& c) {
@@ -248,7 +252,7 @@ Row run_theirs(const Problem& p, const std::string& name, BoxKind kind, FclWorld
   Row row;
   row.name = name;
   const auto space = p.planning_space(0);
-  const auto world = make_fcl_world(*space, kind);
+  const auto world = make_fcl_world(*space, kind, AllowedPairs::without_concerned);
   for (int seed = 1; seed <= options.seeds; ++seed) {
     ++row.runs;
     PeerSettings settings;
@@ -343,7 +347,8 @@ int run(const Options& options) {
         "limb and load against %zu\n",
         p.name.c_str(), p.about.c_str(), p.begin, p.end, p.space.count(), space->parts().size(),
         space->pairs().size(), p.triangles_limb, p.triangles_rest);
-    const auto judge = make_fcl_world(*space, BoxKind::obbrss_double);
+    const auto judge =
+        make_fcl_world(*space, BoxKind::obbrss_double, AllowedPairs::without_concerned);
     int hits = 0, ours_says = 0;
     for (int k = 0; k <= 1000; ++k) {
       const double t = p.begin + (p.end - p.begin) * k / 1000.0;

@@ -4,13 +4,11 @@
 #include <cstdint>
 #include <cstring>
 
+#include "tests/cli/program.h"
 #include "tests/support/cli_scene.h"
 
 namespace elbowroom::test {
 namespace {
-
-const std::string kProgram = ELBOWROOM_PROGRAM;
-const std::filesystem::path kDemo = ELBOWROOM_DEMO_DIR;
 
 struct Glb {
   nlohmann::ordered_json json;

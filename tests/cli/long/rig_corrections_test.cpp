@@ -6,14 +6,13 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "tests/cli/program.h"
 #include "tests/property/rigs/rig_table.h"
 #include "tests/support/cli_scene.h"
 
 namespace elbowroom::test {
 namespace {
 
-const std::string kProgram = ELBOWROOM_PROGRAM;
-const std::filesystem::path kDemo = ELBOWROOM_DEMO_DIR;
 constexpr int kPostsForArm = 4, kPostsForLeg = 1;
 
 struct Tally {

@@ -12,7 +12,7 @@ if(TARGET elbowroom)
       set(folder gui/window/long)
       set(limit 3600)  # a hundred and seventy broken files, one after the other
     endif()
-    elbowroom_tests(${name} ${folder} LABEL ${label} TIMEOUT ${limit} SERIAL
+    elbowroom_tests(${name} ${folder} LABEL ${label} TIMEOUT ${limit} SERIAL TOGETHER
       LINK elbowroom_judge elbowroom_io elbowroom_anatomy elbowroom_app glfw
            nlohmann_json::nlohmann_json)
     if(TARGET ${name})

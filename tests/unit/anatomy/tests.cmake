@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-elbowroom_tests(test_anatomy unit/anatomy LABEL fast LINK elbowroom_anatomy)
+elbowroom_tests(test_anatomy unit/anatomy LABEL fast TOGETHER LINK elbowroom_anatomy)

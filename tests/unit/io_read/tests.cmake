@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-elbowroom_tests(test_io_read unit/io_read LABEL fast LINK elbowroom_io)
+elbowroom_tests(test_io_read unit/io_read LABEL fast TOGETHER LINK elbowroom_io)

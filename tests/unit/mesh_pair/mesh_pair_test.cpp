@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "core/base/random.h"
+#include "core/collision/triangle_predicates.h"
 #include "tests/support/shapes.h"
 
 namespace elbowroom {
@@ -340,6 +341,56 @@ TEST(MeshPair, RefitMovesEverything) {
   EXPECT_NEAR(surface_distance(mesh, box, moved(13, 0, 0), 5), 0.9, 0.02);
   ASSERT_TRUE(mesh.refit(sphere.positions));
   EXPECT_TRUE(in_contact(mesh, box, moved(0, 0, 0), 0));
+}
+
+// Two pieces of skin stand in one space: what is said of them is what their triangles say, and what
+// meshes say that were built there.
+TEST(MeshPair, RefitPiecesInOneSpaceAreTheirTriangles) {
+  Random random(12);
+  const Shape limb = test::limb_shape(0.3f, 1.2f, 7, 10, random);
+  const Shape trunk = test::sphere_shape(0.6f, 9, 14);
+  CollisionMesh a = mesh_of(limb), b = mesh_of(trunk);
+  const auto bent = [&](const Shape& shape, const Vec3& shift) {
+    const Mat3 turn = glm::mat3_cast(quat_from_rotation_vector(
+        {random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2)}));
+    std::vector<glm::vec3> places;
+    for (const glm::vec3& p : shape.positions) {
+      Vec3 q = turn * Vec3(p) + shift;
+      q.x += 0.2 * q.y * q.y;
+      places.emplace_back(q);
+    }
+    return places;
+  };
+  int crossing = 0, near = 0, apart = 0;
+  for (int round = 0; round < 150; ++round) {
+    const double away = random.uniform(0.2, 1.6);
+    const auto place_a = bent(limb, {away, 0, 0}), place_b = bent(trunk, {0, 0, 0});
+    ASSERT_TRUE(a.refit(place_a));
+    ASSERT_TRUE(b.refit(place_b));
+    for (const double distance : {0.0, 0.05}) {
+      std::vector<std::pair<std::uint32_t, std::uint32_t>> expected, found;
+      const auto points = [](const std::vector<glm::vec3>& p, const glm::uvec3& t) {
+        return TrianglePoints{Vec3(p[t.x]), Vec3(p[t.y]), Vec3(p[t.z])};
+      };
+      for (std::uint32_t t = 0; t < limb.triangles.size(); ++t)
+        for (std::uint32_t u = 0; u < trunk.triangles.size(); ++u)
+          if (triangles_touch(points(place_a, limb.triangles[t]),
+                              points(place_b, trunk.triangles[u]), distance))
+            expected.emplace_back(t, u);
+      std::vector<TriangleContact> contacts;
+      find_contacts(a, b, {}, distance, {}, contacts);
+      for (const TriangleContact& c : contacts)
+        if (!c.contained) found.emplace_back(c.triangle_a, c.triangle_b);
+      EXPECT_EQ(found, expected) << round << ' ' << distance;
+      EXPECT_EQ(in_contact(a, b, {}, distance), !contacts.empty()) << round;
+      (expected.empty() ? apart : distance > 0 ? near : crossing) += 1;
+    }
+    const CollisionMesh built_a = mesh_of({place_a, limb.triangles});
+    const CollisionMesh built_b = mesh_of({place_b, trunk.triangles});
+    EXPECT_EQ(in_contact(a, b, {}, 0), in_contact(built_a, built_b, {}, 0)) << round;
+    EXPECT_NEAR(surface_distance(a, b, {}, 3), surface_distance(built_a, built_b, {}, 3), 1e-12);
+  }
+  EXPECT_GT(std::min({crossing, near, apart}), 15);
 }
 
 TEST(MeshPair, DepthOfOverlappingSpheres) {

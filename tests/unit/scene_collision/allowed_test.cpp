@@ -205,8 +205,8 @@ TEST(AllowedContacts, TrianglesOfOnePatchAreToldApart) {
     if (touching.empty()) continue;
     const auto& a = b.scene.data().bodies[static_cast<std::size_t>(bodies.first)];
     const auto& other = b.scene.data().bodies[static_cast<std::size_t>(bodies.second)];
-    const auto none = touching.allowed_where([](int, int) { return false; });
-    const auto all = touching.allowed_where([](int, int) { return true; });
+    const auto none = touching.allowed_where(std::vector<bool>(touching.parts().size(), false));
+    const auto all = touching.allowed_where(std::vector<bool>(touching.parts().size(), true));
     int apart = 0;
     for (std::uint32_t t = 0; t < a.triangles().size(); ++t)
       for (std::uint32_t u = 0; u < other.triangles().size(); ++u) {
