@@ -15,7 +15,7 @@ build="$root/build/app"
 say "2/3 Building in $build (the first time takes a few minutes)"
 mkdir -p "$build"
 cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DELBOWROOM_TESTS=OFF \
-  -DELBOWROOM_BENCH=OFF >"$build.configure.log" 2>&1 || {
+  -DELBOWROOM_BENCH=OFF -DELBOWROOM_TOGETHER=ON >"$build.configure.log" 2>&1 || {
   cat "$build.configure.log"
   exit 1
 }

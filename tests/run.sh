@@ -37,7 +37,7 @@ fi
 
 say "3/4 Building in $build (the first time takes some ten minutes)"
 cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DELBOWROOM_TESTS=ON \
-  -DELBOWROOM_UNITY_TESTS=ON
+  -DELBOWROOM_TOGETHER=ON
 cmake --build "$build" --target "$target"
 
 if [ "$tier" = bench ]; then

@@ -13,18 +13,7 @@
 #include "core/io/project_file.h"
 
 namespace elbowroom {
-namespace {
-
 namespace fs = std::filesystem;
-
-constexpr const char* kExtension = ".recovery";
-
-// "<pid>-<time>", no other session's, living or dead.
-std::string session_name() {
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
-  return std::to_string(getpid()) + "-" +
-         std::to_string(std::chrono::duration_cast<std::chrono::microseconds>(now).count());
-}
 
 // A file that is locked for as long as its session lives, however it ends.
 class SessionLock {
@@ -53,6 +42,17 @@ class SessionLock {
   fs::path file_;
   int handle_ = -1;
 };
+
+namespace {
+
+constexpr const char* kExtension = ".recovery";
+
+// "<pid>-<time>", no other session's, living or dead.
+std::string session_name() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::to_string(getpid()) + "-" +
+         std::to_string(std::chrono::duration_cast<std::chrono::microseconds>(now).count());
+}
 
 fs::path lock_of(const fs::path& folder, const std::string& session) {
   return folder / (session + ".lock");

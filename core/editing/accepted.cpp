@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/base/stopwatch.h"
+#include "core/editing/key_time.h"
 #include "core/editing/missed_target.h"
 #include "core/editing/verify_window.h"
 
@@ -22,8 +24,6 @@ struct Entry {
   int limb = -1;
   std::string why;  // it does not hold; empty while it does
 };
-
-double as_float32(double t) { return static_cast<double>(static_cast<float>(t)); }
 
 // What can be told without the scene, or an empty string.
 std::string unfit(const Entry& entry, const LimbModel& limb, const Skeleton& skeleton) {
@@ -184,7 +184,7 @@ class Keeper {
     if (entry.why.empty())
       measure_keys(problem, model_, *clip,
                    LimbTrack(model_, *clip, *problem.limb, problem.begin, problem.end), report);
-    report.total_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    report.total_ms = ms_since(start);
     return report;
   }
 

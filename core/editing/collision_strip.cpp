@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/editing/contact_rate.h"
+
 namespace elbowroom {
 namespace {
 
 constexpr double kStretch = 0.25;      // s, looked at in one go
-constexpr double kScanRate = 120;      // Hz, of the contacts' intervals
 constexpr double kSameTime = 2e-8;     // s: samples
 constexpr double kSameContact = 2e-4;  // s: intervals of one pair that are no farther apart are one
 
@@ -67,7 +68,7 @@ void look_at_stretch(SceneCollision& scene, double from, double to, CollisionStr
   std::vector<std::size_t> known;
   for (const LimbStrip& of_limb : strip.limbs) known.push_back(of_limb.samples.size());
   std::vector<double> deepest;
-  for (const ContactInterval& contact : scene.scan(from, to, kScanRate, -1, false)) {
+  for (const ContactInterval& contact : scene.scan(from, to, kContactRate, -1, false)) {
     if (contact.deepest.limb >= 0) deepest.push_back(contact.time_of_deepest);
     if (contact.deepest.limb < 0)
       append(strip.other, contact);

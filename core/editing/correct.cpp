@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/editing/contact_rate.h"
 #include "core/editing/motion_cost.h"
 #include "core/editing/plan_window.h"
 #include "core/editing/suggestions.h"
@@ -11,12 +12,11 @@
 namespace elbowroom {
 namespace {
 
-constexpr double kScanRate = 120;  // Hz, of the contacts listed before and after
 // A window of its own making is made wider where it fails, or where there is too little time to
 // move naturally.
-constexpr double kWider[] = {0.25, 0.6};  // s, on each side
-constexpr double kHurried = 0.3;          // a cost worth a try with more time
-constexpr std::size_t kEasyAttempts = 2;  // views of the world that it took
+constexpr double kEarlierAndLater[] = {0.25, 0.6};  // s, on each side
+constexpr double kHurried = 0.3;                    // a cost worth a try with more time
+constexpr std::size_t kEasyAttempts = 2;            // views of the world that it took
 
 bool involves(const ContactInterval& contact, const std::vector<int>& limbs) {
   return std::find(limbs.begin(), limbs.end(), contact.deepest.limb) != limbs.end();
@@ -42,7 +42,7 @@ WindowPlan plan_with_time(SceneCollision& scene, const std::shared_ptr<const Cli
   WindowPlan best =
       plan_window(scene, clip, limb, window.begin, window.end, wishes, stop, progress);
   Interval tried_last{window.begin, window.end};
-  for (const double by : kWider) {
+  for (const double by : kEarlierAndLater) {
     // What was hard to find at all is not looked for again for the sake of its pace.
     const bool easy = best.report.attempts.size() <= kEasyAttempts;
     if (stop.stop_requested() || (best.correction && (best.report.cost < kHurried || !easy))) break;
@@ -93,7 +93,7 @@ void look_at_contacts(SceneCollision& scene, const std::vector<int>& limbs,
                       const std::stop_token& stop) {
   const auto& clip = scene.world().actors[static_cast<std::size_t>(scene.actor())].clip;
   if (!clip) return;
-  for (auto& contact : scene.scan(clip->begin, clip->end, kScanRate, -1, false, stop)) {
+  for (auto& contact : scene.scan(clip->begin, clip->end, kContactRate, -1, false, stop)) {
     if (involves(contact, limbs))
       own.push_back(std::move(contact));
     else if (contact.deepest.limb < 0 && other != nullptr)
@@ -135,7 +135,7 @@ Result<CorrectionOutcome> correct(SceneCollision& scene, const std::vector<int>&
     scene.set_clip(outcome.clip);
     const auto contacts = outcome.corrections.empty() ? outcome.before
                                                       : scene.scan(source->begin, source->end,
-                                                                   kScanRate, limb, false, stop);
+                                                                   kContactRate, limb, false, stop);
     std::vector<ProposedWindow> windows;
     if (task.window) {
       ProposedWindow window;

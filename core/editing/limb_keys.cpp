@@ -7,7 +7,7 @@
 namespace elbowroom {
 namespace {
 
-constexpr double kDifferenceStep = 1.0e-4;  // s
+constexpr double kSlopeStep = 1.0e-4;  // s
 
 }  // namespace
 
@@ -51,8 +51,8 @@ std::vector<JointKeys> make_limb_keys(const Skeleton& skeleton, const LimbModel&
     for (const float time : times) {
       const double t = static_cast<double>(time);
       const Quat value = rotation_at(joint, j, t);
-      const double before = std::max(begin, t - kDifferenceStep);
-      const double after = std::min(end, t + kDifferenceStep);
+      const double before = std::max(begin, t - kSlopeStep);
+      const double after = std::min(end, t + kSlopeStep);
       Quat low = rotation_at(joint, j, before), high = rotation_at(joint, j, after);
       if (glm::dot(low, value) < 0) low = -low;
       if (glm::dot(high, value) < 0) high = -high;

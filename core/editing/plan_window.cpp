@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "core/base/stopwatch.h"
 #include "core/editing/motion_cost.h"
 #include "core/editing/skin_lesson.h"
 #include "core/editing/verify_window.h"
@@ -77,7 +78,7 @@ class WindowPlanner {
         try_view(views[k], k);
     }
     p_.scene->set_clip(p_.clip);
-    const double total = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    const double total = ms_since(start);
     return plan(total);
   }
 

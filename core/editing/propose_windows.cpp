@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/editing/correct.h"
+#include "core/editing/key_time.h"
 
 namespace elbowroom {
 namespace {
@@ -11,8 +12,6 @@ namespace {
 // reaction and return, and leaves speeds moderate.
 constexpr double kLead = 0.35;            // s
 constexpr double kSearchStep = 1.0 / 60;  // s, in looking for a free end farther out
-
-double as_float32(double t) { return static_cast<double>(static_cast<float>(t)); }
 
 // The first time at or beyond `from`, going by `step` (signed) no farther than `bound`, at which
 // the limb is free with `clearance`; with none, one at which it merely does not touch. False if it

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/editing/key_time.h"
 #include "core/editing/plan_window.h"
 #include "core/scene/placeable.h"
 
@@ -25,8 +26,6 @@ constexpr int kChecksAtClearance = 200;
 constexpr int kChecksTouching = 600;
 constexpr int kPostures = 3;                     // planned to, one after the other
 constexpr double kSwivelApart = 20 * kPi / 180;  // of them
-
-double as_float32(double t) { return static_cast<double>(static_cast<float>(t)); }
 
 // The window's ends nearest to the usual ones at which the limb is free with `clearance` (or, with
 // none, does not touch), at least `least` from t_b; nothing if there is none within the clip.

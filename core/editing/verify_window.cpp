@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "core/base/random.h"
+#include "core/base/stopwatch.h"
 #include "core/collision/certificate.h"
 #include "core/editing/following_keys.h"
 #include "core/editing/limb_keys.h"
@@ -26,9 +27,6 @@ constexpr double kLeastKeyRate = 60;      // Hz
 constexpr double kClearanceReach = 0.1;   // × height: farther obstacles are not measured
 
 using Clock = std::chrono::steady_clock;
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 std::string at_time(double t) {
   char text[32];

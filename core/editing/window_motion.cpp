@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/base/stopwatch.h"
 #include "core/collision/limb_planning_space.h"
 #include "core/editing/skin_planning_space.h"
 #include "core/planning/curve_fit.h"
@@ -21,9 +22,6 @@ constexpr int kBlendMoments = 60;  // of a window
 constexpr double kBlends[] = {0.5, 0.25, 0.75};
 
 using Clock = std::chrono::steady_clock;
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 // The curve through a path. It meets the clip's accelerations too where that leaves room; where it
 // doesn't, its velocities.

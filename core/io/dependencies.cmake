@@ -7,3 +7,6 @@ if(NOT elbowroom_io_type STREQUAL INTERFACE_LIBRARY)
   target_include_directories(elbowroom_io SYSTEM PRIVATE ${TINYGLTF_INCLUDE_DIR}
                                                          ${STB_INCLUDE_DIR})
 endif()
+# Which macros stand before its headers matters.
+set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/io/gltf_parse.cpp PROPERTIES
+  SKIP_UNITY_BUILD_INCLUSION ON)

@@ -13,10 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path folder_of(const fs::path& file) {
-  return file.has_parent_path() ? file.parent_path() : fs::path(".");
-}
-
 // The folders above a file that are not there, outer ones first.
 std::vector<fs::path> missing_folders(const fs::path& file) {
   std::vector<fs::path> missing;

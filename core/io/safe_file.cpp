@@ -82,11 +82,11 @@ void sync_folder(const fs::path& folder) {
   if (directory.fd >= 0) sync_retrying(directory.fd);
 }
 
+}  // namespace
+
 fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
-
-}  // namespace
 
 Result<std::string> read_whole_file(const fs::path& file, std::uint64_t max_bytes) {
   // Non-blocking, so that a pipe somebody names does not hang the program before it is refused.

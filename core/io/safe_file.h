@@ -20,6 +20,9 @@ namespace elbowroom {
 Result<std::string> read_whole_file(const std::filesystem::path& file,
                                     std::uint64_t max_bytes = std::uint64_t{1} << 32);
 
+// The folder that a file is in; "." for a bare name.
+std::filesystem::path folder_of(const std::filesystem::path& file);
+
 // Where what is written under that name comes to stand: absolute, symbolic links followed, those to
 // files that are not there (yet) too.
 std::filesystem::path place_written(const std::filesystem::path& file);

@@ -6,7 +6,6 @@
 namespace elbowroom::test {
 namespace {
 
-constexpr Carries kNone = Carries::nothing;
 constexpr Carries kNode = Carries::no_joint;
 
 }  // namespace

@@ -11,6 +11,7 @@
 namespace elbowroom::test {
 
 enum class Carries { skin, nothing, no_joint };  // no_joint: a plain node that no skin uses
+inline constexpr Carries kNone = Carries::nothing;
 
 struct Row {
   const char* name;

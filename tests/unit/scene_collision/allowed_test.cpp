@@ -14,7 +14,6 @@
 namespace elbowroom::test {
 namespace {
 
-constexpr double kEpsilon = 1e-5 * kHeight;
 
 TEST(BodyParts, TrianglesFollowTheJointThatWeighsMost) {
   const auto figure = make_figure();

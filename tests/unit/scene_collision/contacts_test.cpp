@@ -11,7 +11,6 @@
 namespace elbowroom::test {
 namespace {
 
-constexpr double kEpsilon = 1e-5 * kHeight;
 
 // The arm goes from straight out (0) to hanging (-90°) in a second.
 std::shared_ptr<Clip> lowering() { return swing_clip({0, 1}, {0, -kPi / 2}); }

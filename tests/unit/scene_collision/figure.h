@@ -22,6 +22,7 @@ namespace elbowroom::test {
 inline constexpr int kHips = 0, kUpper = 1, kFore = 2, kHand = 3, kFinger = 4;
 inline constexpr int kForeEnd = 5;  // of a figure whose hand is detached: in the wrist's place
 inline constexpr double kHeight = 1.75;
+inline constexpr double kEpsilon = 1e-5 * kHeight;
 
 struct FigureOptions {
   double scale = 1;            // of all lengths

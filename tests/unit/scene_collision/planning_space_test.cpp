@@ -13,7 +13,6 @@
 namespace elbowroom::test {
 namespace {
 
-constexpr double kEpsilon = 1e-5 * kHeight;
 
 LimbState state_at(const SceneCollision& scene, double t) {
   std::vector<ActorState> states;
