@@ -247,7 +247,7 @@ class Finder {
     }
   }
 
-  // A joint follows one limb, from outside all others.
+  // A joint follows one limb, from outside all others, and the chains which that hangs from.
   void settle_following() {
     std::vector<Limb*> all;
     for (const LimbKind kind : kKinds)
@@ -264,6 +264,7 @@ class Finder {
         }
         return false;
       });
+    for (Limb& chain : chains_) take_along_below(figure_, chain, {all.begin(), all.end()});
   }
 
   // Of what belongs to a limb but hangs elsewhere, what cannot follow it.

@@ -27,7 +27,7 @@ const char* limb_id(LimbKind kind);  // "left_arm", ... as on the command line a
 // serves, and what hangs from it comes along: core/anatomy/following.h.
 struct FollowingJoint {
   int joint = -1;
-  int serves = -1;  // of Limb::joints
+  int serves = -1;  // of Limb::joints, or of those of a limb that hangs from it
   bool operator==(const FollowingJoint&) const = default;
 };
 

@@ -162,7 +162,12 @@ Result<Limb> limb_by_name(const Model& model, const Character& character, const 
   for (const Limb& limb : findings.limbs) {
     if (limb.root == root && limb.end == end) return limb;
   }
-  return limb_between(model, character, name, {from, "", to});
+  Result<Limb> chain = limb_between(model, character, name, {from, "", to});
+  if (!chain) return chain;
+  std::vector<const Limb*> all;
+  for (const Limb& limb : findings.limbs) all.push_back(&limb);
+  take_along_below(bound_figure(model, character), *chain, all);
+  return chain;
 }
 
 }  // namespace elbowroom

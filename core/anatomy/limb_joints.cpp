@@ -199,6 +199,23 @@ std::vector<DetachedJoint> detached_joints(const BoundFigure& figure, const Limb
   return detached;
 }
 
+void take_along_below(const BoundFigure& figure, Limb& chain, const std::vector<const Limb*>& all) {
+  const Skeleton& skeleton = figure.model.skeleton;
+  std::vector<int> along;
+  for (const Limb* below : all) {
+    if (below->root == chain.root || !skeleton.is_within(below->root, chain.root)) continue;
+    for (const FollowingJoint& own : below->following) {
+      if (skeleton.is_within(own.joint, chain.root) || skeleton.is_within(chain.root, own.joint) ||
+          chain.follows(own.joint) || !obstacle_to_keys(figure, own.joint, chain.root).empty())
+        continue;
+      chain.following.push_back(own);
+      along.push_back(own.joint);
+    }
+  }
+  if (!along.empty())
+    chain.why += "; driven too, with limbs that hang from it: " + listed(figure.model, along);
+}
+
 std::string quoted_joint(const Model& model, int joint) {
   const std::string& text = model.skeleton.joints[static_cast<std::size_t>(joint)].name;
   return text.empty() ? "node " + std::to_string(joint) : "'" + text + "'";

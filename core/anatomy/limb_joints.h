@@ -30,6 +30,9 @@ struct DetachedJoint {
 std::vector<DetachedJoint> detached_joints(const BoundFigure& figure, const Limb& limb,
                                            const std::vector<int>& ends);
 
+// Of a chain that other limbs hang from: what follows these follows it too, where it can.
+void take_along_below(const BoundFigure& figure, Limb& chain, const std::vector<const Limb*>& all);
+
 // A joint's name in quotes, or its node index.
 std::string quoted_joint(const Model& model, int joint);
 

@@ -51,6 +51,11 @@ int segment_of(const Limb& limb, int joint) {
   return segment;
 }
 
+// Or else of a limb that hangs from it, whose side it is on.
+bool is_own(const Limb& limb, int joint) {
+  return std::find(limb.joints.begin(), limb.joints.end(), joint) != limb.joints.end();
+}
+
 }  // namespace
 
 std::vector<LimbSide> limb_sides(const Skeleton& skeleton, const std::vector<Limb>& limbs) {
@@ -62,7 +67,8 @@ std::vector<LimbSide> limb_sides(const Skeleton& skeleton, const std::vector<Lim
     for (std::size_t l = 0; l < limbs.size(); ++l) {
       if (limbs[l].root == joint) sides[at] = {static_cast<int>(l), kUpperSegment};
       for (const FollowingJoint& own : limbs[l].following)
-        if (own.joint == joint) sides[at] = {static_cast<int>(l), segment_of(limbs[l], own.serves)};
+        if (own.joint == joint && is_own(limbs[l], own.serves))
+          sides[at] = {static_cast<int>(l), segment_of(limbs[l], own.serves)};
     }
     if (sides[at].limb < 0) continue;
     const Limb& limb = limbs[static_cast<std::size_t>(sides[at].limb)];

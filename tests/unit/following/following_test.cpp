@@ -10,6 +10,7 @@
 
 #include "core/animation/affine.h"
 #include "core/base/random.h"
+#include "core/collision/body_parts.h"
 #include "tests/unit/following/detached_rig.h"
 
 namespace elbowroom::test {
@@ -86,6 +87,36 @@ TEST(FollowingJoints, ChainsNamedByHandAreFollowedToo) {
             (std::vector<FollowingJoint>{{rig.joint("Foot.L"), rig.joint("LowerLeg_end.L")}}));
 }
 
+// Hands that hang from the root go with the spine that their arms hang from.
+TEST(FollowingJoints, ChainsTakeAlongWhatFollowsLimbsBelow) {
+  const DetachedRig rig = make_detached_rig({.detached_hand = true, .twist = true});
+  const LimbOverrides spine{{"spine", {"Hips", "Spine", "Head"}}};
+  const auto set = limb_by_name(*rig.model, rig.character(), "spine", spine);
+  const auto named = limb_by_name(*rig.model, rig.character(), "Hips..Head");
+  const auto arm = limb_by_name(*rig.model, rig.character(), "left_arm", spine);
+  ASSERT_TRUE(set) << set.error().message();
+  ASSERT_TRUE(named) << named.error().message();
+  ASSERT_TRUE(arm) << arm.error().message();
+  for (const std::string side : {".L", ".R"})
+    for (const auto& [joint, serves] :
+         {std::pair("Hand", "LowerArm_end"), std::pair("Foot", "LowerLeg_end"),
+          std::pair("UpperArmTwist", "UpperArm")}) {
+      const FollowingJoint own{rig.joint(joint + side), rig.joint(serves + side)};
+      const bool inside = rig.model->skeleton.is_within(own.joint, rig.joint("Hips"));
+      for (const Limb& chain : {*set, *named})
+        EXPECT_EQ(std::count(chain.following.begin(), chain.following.end(), own), inside ? 0 : 1)
+            << joint << side << " and " << chain.name;
+    }
+  EXPECT_NE(named->why.find("with limbs that hang from it"), std::string::npos) << named->why;
+  EXPECT_TRUE(arm->follows(rig.joint("Hand.L"))) << "still";
+  // An arm's own hand stays on the arm's side.
+  const LimbFindings findings = find_limbs(*rig.model, rig.character(), spine);
+  const auto sides = limb_sides(rig.model->skeleton, findings.limbs);
+  const LimbSide hand = sides[static_cast<std::size_t>(rig.joint("Hand.L"))];
+  EXPECT_EQ(findings.limbs[static_cast<std::size_t>(hand.limb)].name, "left_arm");
+  EXPECT_EQ(hand.segment, kEndSegment);
+}
+
 // world(f) = world(served) · clip_world(served)⁻¹ · clip_world(f), whatever is done to the limb.
 TEST(FollowingJoints, KeepTheirRelation) {
   Random random(5);
@@ -99,8 +130,9 @@ TEST(FollowingJoints, KeepTheirRelation) {
                                                  .twist = true});
       const Skeleton& skeleton = rig.model->skeleton;
       const auto clip = walk_of(rig, FootKeys::linear);
-      const LimbFindings findings = find_limbs(*rig.model, rig.character());
-      ASSERT_EQ(findings.limbs.size(), 4u);
+      const LimbFindings findings =
+          find_limbs(*rig.model, rig.character(), {{"spine", {"Hips", "Spine", "Head"}}});
+      ASSERT_EQ(findings.limbs.size(), 5u);
       for (const Limb& limb : findings.limbs) {
         ASSERT_FALSE(limb.following.empty()) << limb.name;
         const auto fitted = fit_limb_model(*rig.model, rig.character(), limb, findings);
