@@ -15,8 +15,8 @@
 // moved rigidly: so P⁻¹ M clip_P is rigid for any P that keeps angles, mirrors included. Where
 // scales are uneven below that node the place is exact and the rotation the nearest.
 //
-// A chain takes along what follows itself, and what follows a limb that hangs from it: the hands of a
-// rig that has them at its root stay on their arms when the spine is bent.
+// A chain takes along what follows itself, and what follows a limb that hangs from it: the hands of
+// a rig that has them at its root stay on their arms when the spine is bent.
 //
 // Globals may be of any space, if of one. Pure functions; any thread.
 #pragma once

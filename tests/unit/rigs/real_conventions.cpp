@@ -7,7 +7,6 @@
 namespace elbowroom::test {
 namespace {
 
-
 // The trunk that most have, under their own names.
 void trunk(std::vector<Row>& rows, const char* hips, const char* spine, const char* chest,
            const char* head) {

@@ -14,7 +14,6 @@
 namespace elbowroom::test {
 namespace {
 
-
 TEST(BodyParts, TrianglesFollowTheJointThatWeighsMost) {
   const auto figure = make_figure();
   const Mesh& skin = figure->meshes[0];

@@ -11,7 +11,6 @@
 namespace elbowroom::test {
 namespace {
 
-
 // The arm goes from straight out (0) to hanging (-90°) in a second.
 std::shared_ptr<Clip> lowering() { return swing_clip({0, 1}, {0, -kPi / 2}); }
 std::shared_ptr<Clip> still() { return swing_clip({0, 1}, {0, 0}); }

@@ -13,7 +13,6 @@
 namespace elbowroom::test {
 namespace {
 
-
 LimbState state_at(const SceneCollision& scene, double t) {
   std::vector<ActorState> states;
   world_state_at(scene.world(), t, states);
