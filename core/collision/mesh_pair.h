@@ -89,7 +89,8 @@ void find_contacts(const CollisionMesh& a, const CollisionMesh& b, const RigidTr
 
 // The same for who asks which patches are in contact: of each two one pair of triangles at least,
 // none with a place (but for what is contained). `filter` has to be one that allows something.
-// What `out` holds before, of an earlier time, is tried first, which saves time and changes nothing.
+// What `out` holds before, of an earlier time, is tried first, which saves time and changes
+// nothing.
 void find_patch_contacts(const CollisionMesh& a, const CollisionMesh& b,
                          const RigidTransform& a_from_b, double distance, const PatchFilter& filter,
                          std::vector<TriangleContact>& out);
