@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <numeric>
 
 #include "core/base/stopwatch.h"
 #include "core/editing/motion_cost.h"
@@ -74,8 +75,18 @@ class WindowPlanner {
     if (ends_are_free()) {
       const std::vector<PlanningView> views =
           planning_views(wanted(), touching(), p_.scene->height(), !wishes_.sampling.empty());
-      for (std::size_t k = 0; k < views.size() && !enough() && !stop_.stop_requested(); ++k)
+      std::vector<std::size_t> left(views.size());
+      std::iota(left.begin(), left.end(), std::size_t{0});
+      while (!left.empty() && !enough() && !stop_.stop_requested()) {
+        auto next = left.begin();
+        if (skin_decides_)
+          next = std::find_if(left.begin(), left.end(),
+                              [&](std::size_t k) { return views[k].on_skin; });
+        if (next == left.end()) next = left.begin();
+        const std::size_t k = *next;
+        left.erase(next);
         try_view(views[k], k);
+      }
     }
     p_.scene->set_clip(p_.clip);
     const double total = ms_since(start);
@@ -112,10 +123,12 @@ class WindowPlanner {
     return brief_ || held_.front().report.certified || tries_for_proof_ <= 0;
   }
 
+  // Where rigid parts find motions that touch on the skin, and margins don't help, other views of
+  // rigid parts would as likely be in vain.
   void try_view(const PlanningView& view, std::size_t index) {
     SkinLesson lesson;
-    if (!look(view, index, &lesson) && !lesson.empty() && !stop_.stop_requested())
-      look(lesson.taught(view), index, nullptr);
+    if (look(view, index, &lesson) || lesson.empty() || stop_.stop_requested()) return;
+    skin_decides_ = !look(lesson.taught(view), index, nullptr);
   }
 
   // Whether there is one more motion that holds, or enough of them. What touches may be a lesson.
@@ -163,10 +176,16 @@ class WindowPlanner {
       }
       ++planned;
       next.cost = path_cost(p_, next.paths);
-      if (ways.empty())
-        reason = fit_way(world, next, ways);
-      else
+      if (!ways.empty()) {
         waiting.push_back(std::move(next));
+        continue;
+      }
+      reason = fit_way(world, next, ways);
+      // What touches is a lesson that further seeds would only repeat.
+      if (view.learns && asked_ == 1 && !ways.empty() && touches(ways.front())) {
+        ++seeds;
+        break;
+      }
     }
     std::stable_sort(waiting.begin(), waiting.end(),
                      [](const Planned& a, const Planned& b) { return a.cost < b.cost; });
@@ -183,6 +202,12 @@ class WindowPlanner {
     said += std::to_string(planned) + " of " + std::to_string(seeds) + " seeds planned, " +
             std::to_string(ways.size()) + " curves, ";
     return ways;
+  }
+
+  // Whether a motion is seen to touch on the skin.
+  bool touches(const Way& way) {
+    const auto keyed = key_motion(p_, way.motion);
+    return keyed && touches_at_a_glance(p_, *keyed, stop_);
   }
 
   // One more way, in order of cost; or why there is none.
@@ -358,6 +383,7 @@ class WindowPlanner {
   PlanningCosts costs_;
   std::vector<Held> held_;
   int tries_for_proof_ = kTriesForAProof;
+  bool skin_decides_ = false;  // rigid parts were no help
 };
 
 }  // namespace

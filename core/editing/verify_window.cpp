@@ -189,6 +189,15 @@ std::string verify_keys(WindowProblem& p, const KeyedMotion& keyed, std::uint64_
   return stop.stop_requested() ? "cancelled" : hit;
 }
 
+bool touches_at_a_glance(WindowProblem& p, const KeyedMotion& keyed, const std::stop_token& stop) {
+  p.scene->set_clip(keyed.clip);
+  p.scene->allow_beside_clip_contacts(false);
+  const bool touches = !glance(p, stop).empty();
+  p.scene->set_clip(p.clip);
+  p.scene->allow_beside_clip_contacts(true);
+  return touches && !stop.stop_requested();
+}
+
 std::vector<GlancedContact> contacts_at_a_glance(WindowProblem& p, const KeyedMotion& keyed,
                                                  const std::stop_token& stop) {
   SceneCollision& scene = *p.scene;

@@ -37,6 +37,10 @@ std::string verify_keys(WindowProblem& problem, const KeyedMotion& keyed, std::u
                         const std::stop_token& stop, const ProgressSink& progress,
                         WindowReport& report);
 
+// Whether anything touches as keys are looked at 60 times a second. The scene plays them meanwhile.
+bool touches_at_a_glance(WindowProblem& problem, const KeyedMotion& keyed,
+                         const std::stop_token& stop);
+
 // What touches as keys are looked at 60 times a second, or, where that shows nothing, 240.
 struct GlancedContact {
   double time = 0;
