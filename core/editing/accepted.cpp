@@ -177,7 +177,8 @@ class Keeper {
       entry.why = entry.task->target ? missed_target(problem, *entry.task->target, clip)
                                      : "its task has no target";
     if (entry.why.empty())
-      entry.why = verify_keys(problem, {correction, clip}, report.seed, stop_, progress_, report);
+      entry.why =
+          verify_keys(problem, {correction, clip}, report.seed, stop_, progress_, report).text;
     report.status = entry.why.empty()        ? CorrectionStatus::corrected
                     : stop_.stop_requested() ? CorrectionStatus::cancelled
                                              : CorrectionStatus::failed;

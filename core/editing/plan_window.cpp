@@ -18,6 +18,8 @@ namespace {
 constexpr double kGoodEnough = 0.02;  // a cost at which no more ways are looked for
 constexpr int kVerifiedInAView = 3;   // at most, for each asked for
 constexpr int kTriesForAProof = 3;    // after a motion that is verified but not proven
+constexpr int kMostSkinLessons = 4;   // at most, in all views of the skin
+constexpr double kNearItself = 0.1;   // × the view's clearance
 constexpr std::uint64_t kViewSeed = 1000003, kWaySeed = 7919;
 
 using Clock = std::chrono::steady_clock;
@@ -124,11 +126,29 @@ class WindowPlanner {
   }
 
   // Where rigid parts find motions that touch on the skin, and margins don't help, other views of
-  // rigid parts would as likely be in vain.
+  // rigid parts would as likely be in vain. What the skin taught goes for all views of it; where a
+  // view so taught finds no way, the character may come nearer to itself.
   void try_view(const PlanningView& view, std::size_t index) {
-    SkinLesson lesson;
-    if (look(view, index, &lesson) || lesson.empty() || stop_.stop_requested()) return;
-    skin_decides_ = !look(lesson.taught(view), index, nullptr);
+    SkinLesson of_parts;
+    SkinLesson& lesson = view.on_skin ? of_skin_ : of_parts;
+    PlanningView next = view;
+    next.moments = of_skin_.moments();
+    for (int lessons = 0;; ++lessons) {
+      const std::size_t known = lesson.size();
+      const bool learns = lessons < view.lessons && (!view.on_skin || skin_lessons_ > 0);
+      if (look(next, index, learns ? &lesson : nullptr)) return;
+      if (stop_.stop_requested()) break;
+      if (lesson.size() > known) {
+        if (view.on_skin) --skin_lessons_;
+        next = lesson.taught(view);
+      } else if (view.on_skin && lessons > 0 &&
+                 next.body_clearance > kNearItself * view.clearance) {
+        next.body_clearance = kNearItself * view.clearance;
+      } else {
+        break;
+      }
+    }
+    if (!view.on_skin && lesson.size() > 0) skin_decides_ = true;
   }
 
   // Whether there is one more motion that holds, or enough of them. What touches may be a lesson.
@@ -144,7 +164,6 @@ class WindowPlanner {
     }
     // On the skin it poses the limb.
     if (view.on_skin) world.reset();
-    if (!view.learns) lesson = nullptr;
     const std::size_t before = held_.size();
     verify_ways(ways, said, {world.get(), lesson});
     return held_.size() > before || enough();
@@ -182,7 +201,8 @@ class WindowPlanner {
       }
       reason = fit_way(world, next, ways);
       // What touches is a lesson that further seeds would only repeat.
-      if (view.learns && asked_ == 1 && !ways.empty() && touches(ways.front())) {
+      if (!view.on_skin && view.lessons > 0 && asked_ == 1 && !ways.empty() &&
+          touches(ways.front())) {
         ++seeds;
         break;
       }
@@ -230,7 +250,7 @@ class WindowPlanner {
 
   // Where a motion comes from, if something is to be learnt from it.
   struct PlannedFrom {
-    PlanningWorld* world;
+    PlanningWorld* world;  // null: the skin
     SkinLesson* lesson;
   };
 
@@ -297,10 +317,13 @@ class WindowPlanner {
     auto keyed = key_motion(p_, way.motion);
     unkeyed_ = keyed ? std::string() : keyed.error().message();
     if (!keyed) return unkeyed_;
-    const std::string hit = verify_keys(p_, *keyed, way.seed, stop_, progress_, report);
-    if (!hit.empty()) {
-      if (from.lesson) from.lesson->learn(p_, *from.world, way.motion, *keyed, stop_);
-      return hit;
+    const SeenContact hit = verify_keys(p_, *keyed, way.seed, stop_, progress_, report);
+    if (!hit.none()) {
+      if (from.lesson && from.world)
+        from.lesson->learn(p_, *from.world, way.motion, *keyed, stop_);
+      else if (from.lesson)
+        from.lesson->learn(hit.time);
+      return hit.text;
     }
     report.status = CorrectionStatus::corrected;
     report.reason.clear();
@@ -384,6 +407,8 @@ class WindowPlanner {
   std::vector<Held> held_;
   int tries_for_proof_ = kTriesForAProof;
   bool skin_decides_ = false;  // rigid parts were no help
+  SkinLesson of_skin_;
+  int skin_lessons_ = kMostSkinLessons;  // left
 };
 
 }  // namespace

@@ -13,6 +13,7 @@ constexpr std::int64_t kFirstChecks = 120000, kFurtherChecks = 40000, kSkinCheck
 constexpr double kLittle = 0.1;       // × the clearance asked for
 constexpr double kSkinMargin = 0.01;  // × height
 constexpr int kFirstSeedsInVain = 2;
+constexpr int kSkinLessons = 2;
 
 PlanningView parts(double clearance, double from_body, double near_share) {
   PlanningView view;
@@ -29,6 +30,7 @@ PlanningView skin(double clearance, double near_share) {
   view.ways = 1;
   view.effort = kSkinEffort;
   view.most_checks = kSkinChecks;
+  view.lessons = kSkinLessons;
   return view;
 }
 
@@ -47,6 +49,7 @@ std::string PlanningView::text() const {
     std::snprintf(text, sizeof text, ", %.3g more", pair.margin);
     all += text + (" between " + pair.part_a + " and " + pair.part_b);
   }
+  if (!moments.empty()) all += ", looked at where it touched";
   return all;
 }
 
@@ -57,10 +60,10 @@ std::vector<PlanningView> planning_views(double clearance, double touching, doub
   first.most_checks = kFirstChecks;
   first.seeds_in_vain = kFirstSeedsInVain;
   PlanningView nearer = parts(clearance, little, 0.9);
-  first.learns = nearer.learns = true;
+  first.lessons = nearer.lessons = 1;
   PlanningView wider = nearer;
   wider.margin = kSkinMargin * height;
-  wider.learns = false;
+  wider.lessons = 0;
   PlanningView strict = skin(little, 0.9), last = skin(least, 0.9);
   strict.as_verified = last.as_verified = true;
   return {first, nearer, skin(clearance, 0.8), wider, strict, parts(least, least, 0.9), last};

@@ -22,6 +22,7 @@ struct PlanningView {
   double margin = 0;          // for what the skin does beyond rigid parts
   double near_share = 0;      // of samples near the clip's own motion
   std::vector<LimbPlanningSpace::PairMargin> pair_margins{};  // of rigid parts, beside `margin`
+  std::vector<double> moments{};  // s, at which the skin is looked at whatever the resolution
 
   // What is planned: so many motions, of each a share of the iterations and so many checks; and
   // after so many seeds without a path no more.
@@ -29,9 +30,8 @@ struct PlanningView {
   int seeds_in_vain = 1;
   double effort = 1;
   std::int64_t most_checks = std::numeric_limits<std::int64_t>::max();
-  // Where motions touch on the skin it may be looked at again, with margins for the pairs that do
-  // (skin_lesson.h).
-  bool learns = false;
+  // So often it may be looked at again, taught by motions that touch on the skin (skin_lesson.h).
+  int lessons = 0;
 
   std::string text() const;  // for people
 };

@@ -14,6 +14,7 @@ constexpr double kMore = 0.1;            // × the view's clearance
 constexpr double kEffort = 0.25;
 constexpr std::int64_t kMostChecks = 12000;
 constexpr int kWays = 2;
+constexpr double kApart[] = {0, 1e-3, 2e-3};  // s, of looks about a moment of contact
 
 // The margin of those two parts, 0 at first.
 PairMargin& margin_of(std::vector<PairMargin>& all, const std::string& a, const std::string& b) {
@@ -41,7 +42,19 @@ void SkinLesson::learn(WindowProblem& problem, PlanningWorld& world, const Windo
   }
 }
 
+void SkinLesson::learn(double time) {
+  for (const double apart : kApart) {
+    moments_.push_back(time - apart);
+    moments_.push_back(time + apart);
+  }
+}
+
 PlanningView SkinLesson::taught(PlanningView view) const {
+  if (view.on_skin) {
+    view.moments = moments_;
+    view.as_verified = true;
+    return view;
+  }
   for (const PairMargin& learnt : margins_)
     margin_of(view.pair_margins, learnt.part_a, learnt.part_b).margin +=
         learnt.margin + kMore * view.clearance;
@@ -49,7 +62,7 @@ PlanningView SkinLesson::taught(PlanningView view) const {
   view.most_checks = kMostChecks;
   view.ways = kWays;
   view.seeds_in_vain = 1;
-  view.learns = false;
+  view.lessons = 0;
   return view;
 }
 

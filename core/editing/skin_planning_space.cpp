@@ -10,7 +10,7 @@ namespace elbowroom {
 SkinPlanningSpace::SkinPlanningSpace(SceneCollision& scene, int limb, double t_init, double t_goal,
                                      const LimbState& at_init, const LimbState& at_goal,
                                      double clearance, double body_clearance,
-                                     BesideClipContacts beside)
+                                     BesideClipContacts beside, const std::vector<double>& moments)
     : scene_(scene),
       limb_(limb),
       t_init_(t_init),
@@ -20,10 +20,13 @@ SkinPlanningSpace::SkinPlanningSpace(SceneCollision& scene, int limb, double t_i
       at_init_(at_init),
       at_goal_(at_goal),
       beside_(beside) {
+  const auto add = [&](double t) {
+    if (t > t_init && t < t_goal) steps_.push_back(t);
+  };
   for (const auto& actor : scene.world().actors)
     if (actor.clip)
-      for (const double t : elbowroom::step_times(*actor.clip))
-        if (t > t_init && t < t_goal) steps_.push_back(t);
+      for (const double t : elbowroom::step_times(*actor.clip)) add(t);
+  for (const double t : moments) add(t);
   std::sort(steps_.begin(), steps_.end());
   steps_.erase(std::unique(steps_.begin(), steps_.end()), steps_.end());
 }

@@ -34,33 +34,35 @@ std::string at_time(double t) {
   return text;
 }
 
-// What touches at t, within `distance`, or an empty string.
-std::string touched_at(SceneCollision& scene, int limb, double t, double distance) {
+SeenContact cancelled() { return {"cancelled", 0}; }
+
+// What touches at t, within `distance`.
+SeenContact touched_at(SceneCollision& scene, int limb, double t, double distance) {
   if (!scene.limb_in_contact(t, limb, distance)) return {};
   std::vector<ContactSample> contacts;
   scene.contacts_at(t, limb, false, contacts);
-  return contacts.empty()
-             ? "contact" + at_time(t)
-             : contacts.front().part_a + " with " + contacts.front().part_b + at_time(t);
+  const std::string pair =
+      contacts.empty() ? "contact" : contacts.front().part_a + " with " + contacts.front().part_b;
+  return {pair + at_time(t), t};
 }
 
-// A contact at a few times all over the window, or an empty string: most motions that are no good
-// show it, at a fraction of what all times cost.
-std::string glance(WindowProblem& p, const std::stop_token& stop) {
+// A contact at a few times all over the window: most motions that are no good show it, at a
+// fraction of what all times cost.
+SeenContact glance(WindowProblem& p, const std::stop_token& stop) {
   SceneCollision& scene = *p.scene;
   const double touching = scene.settings().epsilon * scene.height();
   const int steps = std::max(1, static_cast<int>(std::ceil((p.end - p.begin) * kGlanceRate)));
   for (int i = 0; i <= steps; ++i) {
-    if (stop.stop_requested()) return "cancelled";
-    const std::string hit =
+    if (stop.stop_requested()) return cancelled();
+    const SeenContact hit =
         touched_at(scene, p.limb_index, p.begin + (p.end - p.begin) * i / steps, touching);
-    if (!hit.empty()) return hit;
+    if (!hit.none()) return hit;
   }
   return {};
 }
 
-// The first contact over the verification times of what the scene plays, or an empty string.
-std::string look(WindowProblem& p, const std::vector<float>& keys, std::uint64_t seed,
+// The first contact over the verification times of what the scene plays.
+SeenContact look(WindowProblem& p, const std::vector<float>& keys, std::uint64_t seed,
                  const std::stop_token& stop, const ProgressSink& progress) {
   SceneCollision& scene = *p.scene;
   const Clip& clip = *scene.world().actors[static_cast<std::size_t>(scene.actor())].clip;
@@ -77,23 +79,23 @@ std::string look(WindowProblem& p, const std::vector<float>& keys, std::uint64_t
   const auto times = verification_times(p.begin, p.end, all_keys, steps, seed);
   for (std::size_t i = 0; i < times.size(); ++i) {
     const double t = times[i];
-    if (stop.stop_requested()) return "cancelled";
+    if (stop.stop_requested()) return cancelled();
     if (progress && i % kVerifyStride == 0)
       progress({"checking the skin", static_cast<double>(i) / static_cast<double>(times.size())});
-    const std::string hit = touched_at(scene, p.limb_index, t, touching);
-    if (!hit.empty()) return hit;
+    const SeenContact hit = touched_at(scene, p.limb_index, t, touching);
+    if (!hit.none()) return hit;
   }
   return {};
 }
 
-// Lowers `min_clearance` to what is seen; a contact, should there be one, or an empty string.
-std::string measure_clearance(WindowProblem& p, const std::stop_token& stop,
+// Lowers `min_clearance` to what is seen; a contact, should there be one.
+SeenContact measure_clearance(WindowProblem& p, const std::stop_token& stop,
                               double& min_clearance) {
   SceneCollision& scene = *p.scene;
   const double touching = scene.settings().epsilon * scene.height();
   const int samples = std::max(1, static_cast<int>((p.end - p.begin) * kClearanceRate));
   for (int i = 0; i <= samples; ++i) {
-    if (stop.stop_requested()) return "cancelled";
+    if (stop.stop_requested()) return cancelled();
     const double t = p.begin + (p.end - p.begin) * i / samples;
     min_clearance = std::min(min_clearance, scene.limb_clearance(t, p.limb_index, min_clearance));
     if (min_clearance <= touching) return touched_at(scene, p.limb_index, t, touching);
@@ -103,8 +105,8 @@ std::string measure_clearance(WindowProblem& p, const std::stop_token& stop,
 
 // A proof for all times of the window, of the keys that the scene plays. Where there is none, a
 // motion may touch between the times it is looked at: then what stands in the way of the proof is
-// looked at at close times, and what is found is returned, or an empty string.
-std::string certify(WindowProblem& p, const std::stop_token& stop, const ProgressSink& progress,
+// looked at at close times, and what is found is returned.
+SeenContact certify(WindowProblem& p, const std::stop_token& stop, const ProgressSink& progress,
                     WindowReport& report) {
   if (progress) progress({"proving the motion", -1});
   const auto start = Clock::now();
@@ -113,7 +115,7 @@ std::string certify(WindowProblem& p, const std::stop_token& stop, const Progres
   report.certified = certificate.holds;
   report.depth_sampled = std::move(certificate.depth_sampled);
   report.not_certified.clear();
-  std::string hit;
+  SeenContact hit;
   const auto pair_of = [](const Certificate& c) {
     return c.part_a.empty() ? std::string("the motion") : c.part_a + " with " + c.part_b;
   };
@@ -127,13 +129,13 @@ std::string certify(WindowProblem& p, const std::stop_token& stop, const Progres
     scene.allow_beside_clip_contacts(true);
     hit = touched_at(scene, p.limb_index, certificate.time, kAllButTouching * touching);
     scene.allow_beside_clip_contacts(false);
-    if (hit.empty()) {
+    if (hit.none()) {
       if (progress) progress({"looking closely at what is not proven", -1});
       CertificateSettings closely;
       closely.look_below = kLookBelow;
       closely.look_step = kFineStep;
       const Certificate looked = certify_limb(scene, p.limb_index, p.begin, p.end, closely, stop);
-      if (!looked.holds) hit = pair_of(looked) + at_time(looked.time);
+      if (!looked.holds) hit = {pair_of(looked) + at_time(looked.time), looked.time};
       for (const std::string& pair : looked.depth_sampled)
         if (std::find(report.depth_sampled.begin(), report.depth_sampled.end(), pair) ==
             report.depth_sampled.end())
@@ -166,33 +168,33 @@ Result<KeyedMotion> key_motion(const WindowProblem& p, const WindowMotion& motio
   return keyed;
 }
 
-std::string verify_keys(WindowProblem& p, const KeyedMotion& keyed, std::uint64_t seed,
+SeenContact verify_keys(WindowProblem& p, const KeyedMotion& keyed, std::uint64_t seed,
                         const std::stop_token& stop, const ProgressSink& progress,
                         WindowReport& report) {
   const auto start = Clock::now();
   p.scene->set_clip(keyed.clip);
   p.scene->allow_beside_clip_contacts(false);
   report.min_clearance = kClearanceReach * p.scene->height();
-  std::string hit = glance(p, stop);
+  SeenContact hit = glance(p, stop);
   report.verify_ms += ms_since(start);
-  if (hit.empty()) {
+  if (hit.none()) {
     hit = certify(p, stop, progress, report);
     const auto looking = Clock::now();
     // A proof is of all times; what it leaves to samples is looked at.
-    if (hit.empty() && (!report.certified || !report.depth_sampled.empty()))
+    if (hit.none() && (!report.certified || !report.depth_sampled.empty()))
       hit = look(p, keyed.correction.joints.front().keys.times, seed, stop, progress);
-    if (hit.empty()) hit = measure_clearance(p, stop, report.min_clearance);
+    if (hit.none()) hit = measure_clearance(p, stop, report.min_clearance);
     report.verify_ms += ms_since(looking);
   }
   p.scene->set_clip(p.clip);
   p.scene->allow_beside_clip_contacts(true);
-  return stop.stop_requested() ? "cancelled" : hit;
+  return stop.stop_requested() ? cancelled() : hit;
 }
 
 bool touches_at_a_glance(WindowProblem& p, const KeyedMotion& keyed, const std::stop_token& stop) {
   p.scene->set_clip(keyed.clip);
   p.scene->allow_beside_clip_contacts(false);
-  const bool touches = !glance(p, stop).empty();
+  const bool touches = !glance(p, stop).none();
   p.scene->set_clip(p.clip);
   p.scene->allow_beside_clip_contacts(true);
   return touches && !stop.stop_requested();

@@ -23,8 +23,15 @@ struct KeyedMotion {
 // Keys at the clip's rate or denser and at each of the problem's postures. Error: that of lay_over.
 Result<KeyedMotion> key_motion(const WindowProblem& problem, const WindowMotion& motion);
 
-// Looks at the keys: the scene plays them meanwhile and problem.clip afterwards. Returns the first
-// contact ("A with B at t"), "cancelled", or nothing; then report.min_clearance, certified and what
+// What was seen to touch first, and when.
+struct SeenContact {
+  std::string text{};  // "A with B at t", or "cancelled"; empty: nothing
+  double time = 0;
+  bool none() const { return text.empty(); }
+};
+
+// Looks at the keys: the scene plays them meanwhile and problem.clip afterwards. Where nothing
+// touches, report.min_clearance, certified and what
 // belongs to it are set. Times are added to report's. `seed` chooses the random times.
 //
 // What the clip itself touches may be touched, triangle by triangle (clip_touching.h); the room to
@@ -33,7 +40,7 @@ Result<KeyedMotion> key_motion(const WindowProblem& problem, const WindowMotion&
 // Hz. Anything else is looked at at all of verification_times(); and the pairs that stand in the
 // way of a proof every 0.1 ms where they do (CertificateSettings::look_below). Surfaces all but
 // touching where a proof ended count as contact, but for what is near beside contacts of the clip.
-std::string verify_keys(WindowProblem& problem, const KeyedMotion& keyed, std::uint64_t seed,
+SeenContact verify_keys(WindowProblem& problem, const KeyedMotion& keyed, std::uint64_t seed,
                         const std::stop_token& stop, const ProgressSink& progress,
                         WindowReport& report);
 

@@ -90,7 +90,7 @@ StateSpace& PlanningWorld::part(std::size_t index) {
     parts_[index] = std::make_unique<SkinPlanningSpace>(
         *problem_.scene, problem_.limb_index, from.time, to.time, from.state, to.state,
         view_.clearance, view_.body_clearance,
-        view_.as_verified ? Beside::as_verified : Beside::slides);
+        view_.as_verified ? Beside::as_verified : Beside::slides, view_.moments);
   } else {
     LimbPlanningSpace::Settings settings;
     settings.clearance = view_.clearance;
