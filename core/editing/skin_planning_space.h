@@ -15,8 +15,7 @@ class SkinPlanningSpace : public StateSpace {
   // in final verdicts, which lets what is found hold, and fewer be found.
   enum class BesideClipContacts { slides, as_verified };
   // As LimbPlanningSpace; clearances in scene units. Edges over one of `moments` are looked at then
-  // too, whatever their resolution. Keeps a reference to `scene` and poses its
-  // limb while it lives.
+  // too, whatever their resolution. Keeps a reference to `scene` and poses its limb while it lives.
   SkinPlanningSpace(SceneCollision& scene, int limb, double t_init, double t_goal,
                     const LimbState& at_init, const LimbState& at_goal, double clearance,
                     double body_clearance, BesideClipContacts beside = BesideClipContacts::slides,

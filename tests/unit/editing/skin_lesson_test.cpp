@@ -24,7 +24,7 @@ TEST(PlanningViews, BeginAsAskedAndEndWithHardlyAnyRoom) {
   EXPECT_EQ(views.front().clearance, clearance);
   EXPECT_EQ(views.front().body_clearance, clearance);
   EXPECT_EQ(views.front().margin, 0);
-  EXPECT_TRUE(views.front().learns);
+  EXPECT_GT(views.front().lessons, 0);
   EXPECT_TRUE(views.back().on_skin);
   EXPECT_TRUE(views.back().as_verified) << "what is found last should hold";
   EXPECT_LT(views.back().clearance, 0.1 * clearance);
@@ -35,7 +35,8 @@ TEST(PlanningViews, BeginAsAskedAndEndWithHardlyAnyRoom) {
     EXPECT_GT(view.ways, 0);
     EXPECT_GT(view.seeds_in_vain, 0);
     EXPECT_GT(view.effort, 0);
-    EXPECT_FALSE(view.on_skin && view.learns) << "there is nothing to learn about the skin";
+    EXPECT_TRUE(view.moments.empty());
+    EXPECT_TRUE(!view.on_skin || view.lessons > 0) << "any look at the skin may miss a moment";
   }
   EXPECT_EQ(planning_views(clearance, touching, 1.75, true).front().near_share, 0)
       << "the animator's intervals alone say where to search first";
@@ -43,9 +44,35 @@ TEST(PlanningViews, BeginAsAskedAndEndWithHardlyAnyRoom) {
 
 TEST(SkinLesson, NothingLearntTeachesNothing) {
   SkinLesson lesson;
-  EXPECT_TRUE(lesson.empty());
-  const PlanningView view = planning_views(0.005, 2e-5, 1.75, false).front();
-  EXPECT_TRUE(lesson.taught(view).pair_margins.empty());
+  EXPECT_EQ(lesson.size(), 0u);
+  for (const PlanningView& view : planning_views(0.005, 2e-5, 1.75, false)) {
+    EXPECT_TRUE(lesson.taught(view).pair_margins.empty());
+    EXPECT_TRUE(lesson.taught(view).moments.empty());
+  }
+}
+
+TEST(SkinLesson, MomentsAreOfTheSkinAlone) {
+  SkinLesson lesson;
+  lesson.learn(1.5);
+  const std::size_t once = lesson.size();
+  EXPECT_GT(once, 0u);
+  lesson.learn(0.25);
+  EXPECT_GT(lesson.size(), once);
+  for (const PlanningView& view : planning_views(0.005, 2e-5, 1.75, false)) {
+    const PlanningView taught = lesson.taught(view);
+    EXPECT_TRUE(taught.pair_margins.empty());
+    if (!view.on_skin) {
+      EXPECT_TRUE(taught.moments.empty()) << "rigid parts touch elsewhere";
+      continue;
+    }
+    EXPECT_TRUE(taught.as_verified) << "what touched was judged so";
+    EXPECT_NE(taught.text(), view.text());
+    for (const double t : {1.5, 0.25})
+      EXPECT_TRUE(std::find(taught.moments.begin(), taught.moments.end(), t) !=
+                  taught.moments.end());
+    EXPECT_EQ(taught.clearance, view.clearance);
+    EXPECT_EQ(taught.body_clearance, view.body_clearance);
+  }
 }
 
 // The demo's clip itself, as if it were planned: its umbrella runs into a post.
@@ -85,14 +112,20 @@ TEST(SkinLesson, PairsThatTouchGetMarginsThatWouldHaveRefusedTheMotion) {
   EXPECT_EQ(scene->world().actors[static_cast<std::size_t>(scene->actor())].clip, session->clip())
       << "the scene plays what it played";
 
+  WindowReport report;
   const PlanningView view = planning_views(0.005, 2e-5, scene->height(), false).front();
   PlanningWorld world(problem, view);
   SkinLesson lesson;
   lesson.learn(problem, world, motion, *keyed, {});
-  EXPECT_TRUE(lesson.empty()) << "nobody has planned in that world";
+  EXPECT_EQ(lesson.size(), 0u) << "nobody has planned in that world";
   world.part(0);
   lesson.learn(problem, world, motion, *keyed, {});
-  ASSERT_FALSE(lesson.empty());
+  ASSERT_GT(lesson.size(), 0u);
+  const SeenContact first = verify_keys(problem, *keyed, 1, {}, {}, report);
+  EXPECT_FALSE(first.none());
+  EXPECT_NE(first.text.find(" with "), std::string::npos) << first.text;
+  EXPECT_EQ(first.time, seen.front().time) << "both begin with the same glance";
+  EXPECT_TRUE(touches_at_a_glance(problem, *keyed, {}));
   const PlanningView taught = lesson.taught(view);
   for (const auto& pair : taught.pair_margins) {
     EXPECT_GT(pair.margin, 0);
