@@ -7,12 +7,14 @@ if(TARGET elbowroom)
       set(name test_window)
       set(folder gui/window)
       set(limit 240)
+      set(beside IN_TURN)  # the driver waits for what it looks for
     else()
+      set(beside SERIAL)  # among them, what a hand feels of the editor's speed
       set(name test_window_long)
       set(folder gui/window/long)
       set(limit 3600)  # a hundred and seventy broken files, one after the other
     endif()
-    elbowroom_tests(${name} ${folder} LABEL ${label} TIMEOUT ${limit} SERIAL TOGETHER
+    elbowroom_tests(${name} ${folder} LABEL ${label} TIMEOUT ${limit} ${beside} TOGETHER
       LINK elbowroom_judge elbowroom_io elbowroom_anatomy elbowroom_app glfw
            nlohmann_json::nlohmann_json)
     if(TARGET ${name})
