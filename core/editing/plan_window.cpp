@@ -5,12 +5,12 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
-#include <numeric>
 
 #include "core/base/stopwatch.h"
 #include "core/editing/motion_cost.h"
 #include "core/editing/skin_lesson.h"
 #include "core/editing/verify_window.h"
+#include "core/editing/view_order.h"
 
 namespace elbowroom {
 namespace {
@@ -18,8 +18,6 @@ namespace {
 constexpr double kGoodEnough = 0.02;  // a cost at which no more ways are looked for
 constexpr int kVerifiedInAView = 3;   // at most, for each asked for
 constexpr int kTriesForAProof = 3;    // after a motion that is verified but not proven
-constexpr int kMostSkinLessons = 4;   // at most, in all views of the skin
-constexpr double kNearItself = 0.1;   // × the view's clearance
 constexpr std::uint64_t kViewSeed = 1000003, kWaySeed = 7919;
 
 using Clock = std::chrono::steady_clock;
@@ -75,19 +73,12 @@ class WindowPlanner {
     const auto start = Clock::now();
     p_.scene->set_clip(p_.clip);
     if (ends_are_free()) {
-      const std::vector<PlanningView> views =
-          planning_views(wanted(), touching(), p_.scene->height(), !wishes_.sampling.empty());
-      std::vector<std::size_t> left(views.size());
-      std::iota(left.begin(), left.end(), std::size_t{0});
-      while (!left.empty() && !enough() && !stop_.stop_requested()) {
-        auto next = left.begin();
-        if (skin_decides_)
-          next = std::find_if(left.begin(), left.end(),
-                              [&](std::size_t k) { return views[k].on_skin; });
-        if (next == left.end()) next = left.begin();
-        const std::size_t k = *next;
-        left.erase(next);
-        try_view(views[k], k);
+      ViewOrder order(
+          planning_views(wanted(), touching(), p_.scene->height(), !wishes_.sampling.empty()));
+      while (!enough() && !stop_.stop_requested()) {
+        const auto next = order.next();
+        if (!next) break;
+        if (look(*next)) order.found();
       }
     }
     p_.scene->set_clip(p_.clip);
@@ -125,37 +116,12 @@ class WindowPlanner {
     return brief_ || held_.front().report.certified || tries_for_proof_ <= 0;
   }
 
-  // Where rigid parts find motions that touch on the skin, and margins don't help, other views of
-  // rigid parts would as likely be in vain. What the skin taught goes for all views of it; where a
-  // view so taught finds no way, the character may come nearer to itself.
-  void try_view(const PlanningView& view, std::size_t index) {
-    SkinLesson of_parts;
-    SkinLesson& lesson = view.on_skin ? of_skin_ : of_parts;
-    PlanningView next = view;
-    next.moments = of_skin_.moments();
-    for (int lessons = 0;; ++lessons) {
-      const std::size_t known = lesson.size();
-      const bool learns = lessons < view.lessons && (!view.on_skin || skin_lessons_ > 0);
-      if (look(next, index, learns ? &lesson : nullptr)) return;
-      if (stop_.stop_requested()) break;
-      if (lesson.size() > known) {
-        if (view.on_skin) --skin_lessons_;
-        next = lesson.taught(view);
-      } else if (view.on_skin && lessons > 0 &&
-                 next.body_clearance > kNearItself * view.clearance) {
-        next.body_clearance = kNearItself * view.clearance;
-      } else {
-        break;
-      }
-    }
-    if (!view.on_skin && lesson.size() > 0) skin_decides_ = true;
-  }
-
-  // Whether there is one more motion that holds, or enough of them. What touches may be a lesson.
-  bool look(const PlanningView& view, std::size_t index, SkinLesson* lesson) {
+  // Whether there is one more motion that holds, or enough of them.
+  bool look(const ViewOrder::Look& next) {
+    const PlanningView& view = next.view;
     std::string said = view.text() + ": ", reason;
     auto world = std::make_unique<PlanningWorld>(p_, view);
-    const std::vector<Way> ways = ways_in(*world, index, said, reason);
+    const std::vector<Way> ways = ways_in(*world, next.index, said, reason);
     if (ways.empty()) {
       report_.reason = reason;
       report_.attempts.push_back(said + reason +
@@ -165,7 +131,7 @@ class WindowPlanner {
     // On the skin it poses the limb.
     if (view.on_skin) world.reset();
     const std::size_t before = held_.size();
-    verify_ways(ways, said, {world.get(), lesson});
+    verify_ways(ways, said, {world.get(), next.lesson});
     return held_.size() > before || enough();
   }
 
@@ -406,9 +372,6 @@ class WindowPlanner {
   PlanningCosts costs_;
   std::vector<Held> held_;
   int tries_for_proof_ = kTriesForAProof;
-  bool skin_decides_ = false;  // rigid parts were no help
-  SkinLesson of_skin_;
-  int skin_lessons_ = kMostSkinLessons;  // left
 };
 
 }  // namespace

@@ -36,11 +36,11 @@ struct PlanningView {
   std::string text() const;  // for people
 };
 
-// In the order in which they are tried, unless the skin turns out to decide: the rigid parts with
-// the clearance asked for; the same with less room from its own body; the skin; rigid parts with a
-// margin for what the skin does beyond them; the skin by the rule of final verdicts, with little
-// clearance; at last both with hardly any. `intervals_set`: the animator's sampling intervals say
-// where to search first.
+// In the order in which they are tried (view_order.h): the rigid parts with the clearance asked
+// for; the same with less room from its own body; the skin; rigid parts with a margin for what the
+// skin does beyond them; the skin by the rule of final verdicts, with little clearance; at last
+// both with hardly any. `intervals_set`: the animator's sampling intervals say where to search
+// first.
 std::vector<PlanningView> planning_views(double clearance, double touching, double height,
                                          bool intervals_set);
 

@@ -36,10 +36,13 @@ void SkinLesson::learn(WindowProblem& problem, PlanningWorld& world, const Windo
     if (space == nullptr) continue;
     const auto margin = space->margin_to_refuse({motion.at(seen.time).value(seen.time), seen.time},
                                                 seen.part_a, seen.part_b, most);
-    if (!margin) continue;
-    PairMargin& known = margin_of(margins_, seen.part_a, seen.part_b);
-    known.margin = std::max(known.margin, *margin);
+    if (margin) learn(PairMargin{seen.part_a, seen.part_b, *margin});
   }
+}
+
+void SkinLesson::learn(const PairMargin& pair) {
+  PairMargin& known = margin_of(margins_, pair.part_a, pair.part_b);
+  known.margin = std::max(known.margin, pair.margin);
 }
 
 void SkinLesson::learn(double time) {

@@ -22,6 +22,9 @@ class SkinLesson {
   void learn(WindowProblem& problem, PlanningWorld& world, const WindowMotion& motion,
              const KeyedMotion& keyed, const std::stop_token& stop);
 
+  // What is known of one pair: the margin that would have refused a motion that touches.
+  void learn(const LimbPlanningSpace::PairMargin& pair);
+
   // From a motion that was planned on the skin: when it touches, seconds.
   void learn(double time);
 
