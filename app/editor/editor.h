@@ -85,14 +85,14 @@ class Editor {
   void set_time(double t);
   void edit(const std::string& name, Phase phase, const History::Edit& change);
   PlanningWishes wishes() const;
+  void refresh_swings();
+  int limb_index(const std::string& name) const;
+
+  // editor_commands.cpp
   void select_limb(int limb);
   void select_problem(int limb, int window);
   void go_to_problem(int direction);
   void choose_preset(SamplingPreset preset);
-  void refresh_swings();
-  void set_window(const command::SetWindow& wanted);
-  std::optional<Interval> within_clip(Interval window) const;
-  int limb_index(const std::string& name) const;
 
   // editor_files.cpp
   void open_files(const std::vector<std::filesystem::path>& paths, bool as_objects);
@@ -128,6 +128,8 @@ class Editor {
   void recover(const LostWork& lost);
 
   // editor_plan.cpp
+  void set_window(const command::SetWindow& wanted);
+  std::optional<Interval> within_clip(Interval window) const;
   void prepare_contacts();
   void rescan(const Interval& changed);
   void look_for_contacts();
