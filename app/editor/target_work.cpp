@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "core/editing/reach.h"
+#include "core/editing/target_posture.h"
+#include "core/editing/wrist_target.h"
 
 namespace elbowroom {
 namespace {

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/editing/reach.h"
+#include "core/editing/target_posture.h"
+#include "core/editing/wrist_target.h"
 
 namespace elbowroom {
 namespace {

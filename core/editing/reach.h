@@ -18,8 +18,8 @@
 
 #include "core/editing/correct.h"
 #include "core/editing/plan_window.h"
+#include "core/editing/target_posture.h"
 #include "core/editing/wrist_target.h"
-#include "core/ik/swivel_search.h"
 
 namespace elbowroom {
 
@@ -37,19 +37,5 @@ Result<CorrectionOutcome> reach(SceneCollision& scene, int limb, const Task& tas
 // knows its contacts. Its report and its correction, which is not yet laid over.
 Result<WindowPlan> plan_reach(SceneCollision& scene, int limb, const Task& task,
                               const std::stop_token& stop = {}, const ProgressSink& progress = {});
-
-// The limb's inverse kinematics at time t of what the scene plays, with these residuals; for
-// editors that show the posture while a target is dragged. Errors: those of LimbIk::build.
-Result<LimbIk> limb_ik_at(const SceneCollision& scene, int limb, double t,
-                          const std::array<Quat, 3>& residual);
-
-// A posture for the target that keeps `clearance` on the deformed skin at time t. The scene poses
-// the limb by its clip again afterwards.
-IkResult search_free_posture(SceneCollision& scene, int limb, const LimbIk& ik, double t,
-                             const IkTarget& target, const SwivelSearch& settings, double clearance,
-                             const std::stop_token& stop = {});
-
-// Why there is no posture, for people; empty if there is one.
-std::string ik_reason(const IkResult& result, const LimbModel& limb);
 
 }  // namespace elbowroom

@@ -8,8 +8,8 @@
 
 #include "core/anatomy/limits.h"
 #include "core/editing/plan_window.h"
-#include "core/editing/reach.h"
 #include "core/editing/session.h"
+#include "core/editing/target_posture.h"
 #include "core/editing/window_problem.h"
 #include "tests/support/walking.h"
 
