@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What is delivered is free: posts, plates, wires, frames and flying balls in the way of arms and
 // legs of every figure there is. Each delivered file is judged at 240 Hz, at every key and at 1,000
-// random times; one in eight of each figure's at every 0.1 ms. What the program declines is counted,
-// not failed.
+// random times; one in eight of each figure's at every 0.1 ms. What the program declines is
+// counted, not failed.
 #include <cstdlib>
 #include <map>
 
