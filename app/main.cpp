@@ -116,7 +116,7 @@ int main(int argc, char** argv) {
       ->group("");
   program
       .add_option("--widget-log", widget_log,
-                  "of the editor: a file that holds the widgets of the last frame")
+                  "of the editor: a file that holds the mouse and the widgets of the last frame")
       ->type_name("LOG")
       ->group("");
 

@@ -313,8 +313,17 @@ class EditorWindow {
   // The playhead, the window or a slider is being dragged.
   bool scrubbing() const { return ImGui::IsMouseDown(ImGuiMouseButton_Left); }
 
+  // First the mouse as this frame saw it: events come in order, so whoever moved it there and sees
+  // it there knows that whatever was done before has been taken in.
   void write_widgets(const std::filesystem::path& file) {
-    std::string text;
+    const ImGuiIO& io = ImGui::GetIO();
+    char mouse[96];
+    std::snprintf(mouse, sizeof mouse, "Pointer\tpointer\t%.0f\t%.0f\t%.0f\t%.0f\t1\t1\t%s%s%s\n",
+                  static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y),
+                  static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y),
+                  io.MouseDown[0] ? "1" : "", io.MouseDown[1] ? "3" : "",
+                  io.MouseDown[2] ? "2" : "");
+    std::string text = mouse;
     for (const ProbedWidget& widget : ui_->probe().widgets()) {
       char numbers[96];
       std::snprintf(numbers, sizeof numbers, "\t%s\t%.0f\t%.0f\t%.0f\t%.0f\t%d\t%d\t",

@@ -228,21 +228,34 @@ bool DrivenEditor::drawn(std::size_t before, double seconds) {
       seconds);
 }
 
+bool DrivenEditor::pointer_at(Pixel place) const {
+  const auto pointer = find("Pointer");
+  return pointer && pointer->min == place;
+}
+
+bool DrivenEditor::pointer_holds(int button) const {
+  return value("Pointer").find(std::to_string(button)) != std::string::npos;
+}
+
 void DrivenEditor::move_to(Pixel place) {
   const std::size_t before = frame_count();
+  if (pointer_at(place)) return;
   tool({"mousemove", std::to_string(place.x), std::to_string(place.y)});
-  drawn(before, 0.7);  // it may have been there already
+  wait([&] { return pointer_at(place); }, 10);
+  drawn(before);
 }
 
 void DrivenEditor::press(int button) {
   const std::size_t before = frame_count();
   tool({"mousedown", std::to_string(button)});
+  wait([&] { return pointer_holds(button); }, 10);
   drawn(before);
 }
 
 void DrivenEditor::release(int button) {
   const std::size_t before = frame_count();
   tool({"mouseup", std::to_string(button)});
+  wait([&] { return !pointer_holds(button); }, 10);
   drawn(before);
 }
 
@@ -251,13 +264,21 @@ void DrivenEditor::hold(const std::string& key) { tool({"keydown", key}); }
 void DrivenEditor::let_go(const std::string& key) { tool({"keyup", key}); }
 
 bool DrivenEditor::click(const std::string& name) {
-  if (!wait([&] {
-        const auto widget = find(name);
-        return widget && widget->enabled && widget->visible;
-      }))
-    return false;
-  click(find(name)->middle());
-  return true;
+  std::optional<SeenWidget> widget;
+  const auto can_be_clicked = [&] {
+    widget = find(name);
+    return widget && widget->enabled && widget->visible;
+  };
+  for (int i = 0; i < 20; ++i) {
+    if (!wait(can_be_clicked)) return false;
+    const Pixel place = widget->middle();
+    move_to(place);
+    // Whatever moved it before is drawn by now.
+    if (!can_be_clicked() || !(widget->middle() == place)) continue;
+    click(place);
+    return true;
+  }
+  return false;
 }
 
 void DrivenEditor::click(Pixel place, int button) {
@@ -312,10 +333,9 @@ void DrivenEditor::type(const std::string& text) {
 
 void DrivenEditor::scroll(Pixel place, int notches) {
   move_to(place);
-  const std::size_t before = frame_count();
   tool({"click", "--repeat", std::to_string(std::abs(notches)), "--delay", "30",
         notches > 0 ? "4" : "5"});
-  drawn(before);
+  move_to({place.x + 1, place.y});  // seen there, the wheel is seen too
 }
 
 }  // namespace elbowroom::test

@@ -3,8 +3,9 @@
 // keyboard (xdotool) and eyes (the program's log of widgets, and pictures of the screen).
 //
 // Whatever is done waits until the program has drawn it, and whatever is looked for is waited for,
-// so that nothing rests on how fast the machine is. Places are pixels of the screen, from its top
-// left. Settings and home folder are the folder's own.
+// so that nothing rests on how fast the machine is. A widget is clicked where it is once the
+// program has seen the mouse above it: what was done before may still have moved it. Places are
+// pixels of the screen, from its top left. Settings and home folder are the folder's own.
 #pragma once
 
 #include <functional>
@@ -18,6 +19,7 @@ namespace elbowroom::test {
 
 struct Pixel {
   int x = 0, y = 0;
+  bool operator==(const Pixel&) const = default;
 };
 
 struct SeenWidget {
@@ -90,6 +92,8 @@ class DrivenEditor {
  private:
   int tool(std::vector<std::string> arguments) const;
   bool drawn(std::size_t before, double seconds = 3);
+  bool pointer_at(Pixel place) const;
+  bool pointer_holds(int button) const;
 
   std::filesystem::path folder_;
   int width_, height_;
