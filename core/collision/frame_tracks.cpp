@@ -133,10 +133,11 @@ NodeFrame FrameTracks::frame_at(const Cell& cell, std::size_t node) const {
   return between(frame(cell.row, node), frame(cell.row + 1, node), cell.u);
 }
 
-Transform FrameTracks::local_at(const Cell& cell, std::size_t node) const {
+Transform FrameTracks::local_at(const Cell& cell, std::size_t node, bool rotation) const {
   const Transform &a = local(cell.row, node), &b = local(cell.row + 1, node);
   return {a.translation + cell.u * (b.translation - a.translation),
-          nlerp(a.rotation, b.rotation, cell.u), a.scale + cell.u * (b.scale - a.scale)};
+          rotation ? nlerp(a.rotation, b.rotation, cell.u) : Quat(1, 0, 0, 0),
+          a.scale + cell.u * (b.scale - a.scale)};
 }
 
 }  // namespace elbowroom

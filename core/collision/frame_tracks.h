@@ -67,7 +67,8 @@ class FrameTracks {
   const Mat4& parent(std::uint32_t row) const { return parents_[row]; }
 
   NodeFrame frame_at(const Cell& cell, std::size_t node) const;
-  Transform local_at(const Cell& cell, std::size_t node) const;
+  // Without its rotation where somebody else sets that.
+  Transform local_at(const Cell& cell, std::size_t node, bool rotation = true) const;
 
   const std::vector<double>& steps() const { return steps_; }
 

@@ -48,8 +48,7 @@ LimbMotion::LimbMotion(LimbPlanningSpace::Data& data) : data_(data) {
     tracks.fill(cell);
   }
   const std::size_t nodes = data.track_count, chain = data.chain.nodes.size();
-  world_.resize(nodes);
-  near_.resize(nodes);
+  tracked_.assign(rows * nodes, {});
   local_.resize(chain);
   above_.assign(chain, 0.0);
   way_.resize(chain);
@@ -58,15 +57,16 @@ LimbMotion::LimbMotion(LimbPlanningSpace::Data& data) : data_(data) {
     const int up = data.chain.nodes[n].parent;
     if (up >= 0) way_[n] = way_[static_cast<std::size_t>(up)];
     way_[n].push_back(static_cast<int>(n));
-    supported_ = supported_ && way_[n].size() <= Part{}.by_node.size();
   }
+  turns_on_way_.resize(chain);
+  for (std::size_t n = 0; n < chain; ++n)
+    for (const int k : way_[n]) turns_on_way_[n].push_back(&turns_[static_cast<std::size_t>(k)]);
   const auto start = [&](Sums& sums) {
     sums.lift.assign(rows, 0.0);
     sums.turn.assign(rows, 0.0);
   };
   start(base_);
-  for (auto* list : {&world_, &near_, &local_})
-    for (Sums& sums : *list) start(sums);
+  for (Sums& sums : local_) start(sums);
 
   // Scales, which have to keep.
   for (std::uint32_t row = 0; row < rows && supported_; ++row) {
@@ -102,15 +102,19 @@ LimbMotion::LimbMotion(LimbPlanningSpace::Data& data) : data_(data) {
       const NodeFrame &f0 = tracks.frame(row, n), &f1 = tracks.frame(row + 1, n);
       const Vec3 turn = turn_between(f0.rotation, f1.rotation);
       const double angle = glm::length(turn);
-      add(world_[n], glm::distance(f0.place, f1.place), fastest(angle));
+      const TrackSums& before = tracked_[row * nodes + n];
+      TrackSums& sums = tracked_[(row + 1) * nodes + n];
+      sums = before;
+      if (!joined) continue;
+      sums.world_lift += glm::distance(f0.place, f1.place);
+      sums.world_turn += fastest(angle);
       // In the base: what is left of the node's own motion when the base's is taken away; what is
       // neglected in that is the change of the base's rate and of the arm it turns on.
       const Vec3 d0 = f0.place - g0.place, d1 = f1.place - g1.place;
       const Vec3 left = (d1 - d0) - glm::cross(base_turn, 0.5 * (d0 + d1));
-      add(near_[n],
-          glm::length(left) + 0.5 * base_angle * glm::distance(d0, d1) +
-              base_uneven * std::max(glm::length(d0), glm::length(d1)),
-          glm::length(turn - base_turn) + unevenness(angle) + base_uneven);
+      sums.base_lift += glm::length(left) + 0.5 * base_angle * glm::distance(d0, d1) +
+                        base_uneven * std::max(glm::length(d0), glm::length(d1));
+      sums.base_turn += glm::length(turn - base_turn) + unevenness(angle) + base_uneven;
     }
     for (std::size_t n = 0; n < chain; ++n) {
       const Transform &a = tracks.local(row, n), &b = tracks.local(row + 1, n);
@@ -134,7 +138,9 @@ LimbMotion::LimbMotion(LimbPlanningSpace::Data& data) : data_(data) {
   const std::size_t parts = data.pieces.size();
   node_radius_.assign(parts, 0.0);
   twist_radius_.assign(parts, -1.0);
-  parts_.resize(parts);
+  known_.assign(parts, 0);
+  travel_.resize(parts);
+  placed_.resize(parts);
   for (std::size_t p = 0; p < parts; ++p) {
     const PlanningPart& piece = data.pieces[p];
     node_radius_[p] = glm::length(piece.node_from_part * piece.centre) + piece.radius;
@@ -176,7 +182,7 @@ double LimbMotion::between(const std::vector<double>& sums) const {
   return std::max(at(end_) - middle, middle - at(begin_));
 }
 
-void LimbMotion::set(const Dofs& rate, double begin, double middle, double end,
+void LimbMotion::set(const Dofs& q, const Dofs& rate, double begin, double middle, double end,
                      const FrameTracks::Cell& at_begin, const FrameTracks::Cell& at_middle,
                      const FrameTracks::Cell& at_end,
                      const LimbPlanningSpace::Data::Segment& segment,
@@ -185,31 +191,25 @@ void LimbMotion::set(const Dofs& rate, double begin, double middle, double end,
   middle_ = at_middle;
   end_ = at_end;
   segment_ = &segment;
-  for (Part& part : parts_) part.known = false;
+  std::fill(known_.begin(), known_.end(), std::uint8_t{0});
   const double half = std::max(end - middle, middle - begin);
   const double window = data_.t_goal - data_.t_init;
   for (std::size_t n = 0; n < turns_.size(); ++n) {
-    Turn& turn = turns_[n];
-    turn = {};
+    TurningJoint& turn = turns_[n];
+    turn.origin = data_.links[n].place;
     turn.lift = above_[n] * between(local_[n].lift);
-    turn.swing = between(local_[n].turn);
+    turn.loose = between(local_[n].turn);
     const int joint = data_.chain.nodes[n].dof_joint;
     if (joint < 0) continue;
     const auto j = static_cast<std::size_t>(joint);
     const JointModel& model = data_.limb.joints[j];
-    const double* q = &rate.value[static_cast<std::size_t>(model.first_dof)];
-    // The rotation of a rotation vector turns by no more than the vector changes.
-    if (model.kind == JointModelKind::ball || model.kind == JointModelKind::swing)
-      turn.swing += half * std::hypot(q[0], q[1]);
-    if (model.kind == JointModelKind::hinge) turn.swing += half * std::abs(q[0]);
-    if (model.kind == JointModelKind::ball) turn.twist = half * std::abs(q[2]);
-    if (model.kind == JointModelKind::hinge) turn.twist = half * std::abs(q[1]);
+    const auto first = static_cast<std::size_t>(model.first_dof);
+    set_turn(turn, model, &q.value[first], &rate.value[first], half,
+             data_.links[n].frame.rotation *
+                 glm::mat3_cast(model.joint_from_anatomy * glm::conjugate(residual[j])));
     if (data_.residual_moves && window > 0)
-      turn.swing +=
+      turn.loose +=
           half / window * angle_between(data_.at_init.residual[j], data_.at_goal.residual[j]);
-    turn.axis =
-        data_.links[n].frame.rotation *
-        (glm::mat3_cast(model.joint_from_anatomy * glm::conjugate(residual[j])) * Vec3(1, 0, 0));
   }
   base_lift_ = between(base_.lift);
   base_turn_ = between(base_.turn);
@@ -218,62 +218,69 @@ void LimbMotion::set(const Dofs& rate, double begin, double middle, double end,
   base_place_ = Vec3(p0[3]) + at_middle.u * (Vec3(p1[3]) - Vec3(p0[3]));
 }
 
-const LimbMotion::Part& LimbMotion::moving_part(int part) {
+const LimbMotion::Travel& LimbMotion::moving_travel(int part) {
   const auto p = static_cast<std::size_t>(part);
-  Part& own = parts_[p];
-  if (own.known) return own;
-  own.known = true;
+  Travel& own = travel_[p];
+  if (known_[p]) return own;
+  known_[p] = 1;
   const PlanningPart& piece = data_.pieces[p];
   const auto node = static_cast<std::size_t>(segment_->chain_of[p]);
-  const Vec3 centre = data_.links[node].frame * (segment_->chain_from_part[p] * piece.centre);
-  own.in_base = 0;
-  for (std::size_t i = 0; i < way_[node].size(); ++i) {
-    const auto k = static_cast<std::size_t>(way_[node][i]);
-    const Turn& turn = turns_[k];
-    const Vec3 from = centre - data_.links[k].place;
-    double travel = turn.lift;
-    if (turn.swing > 0) travel += turn.swing * (glm::length(from) + piece.radius);
-    if (turn.twist > 0)
-      travel += turn.twist * (k == node && twist_radius_[p] >= 0
-                                  ? twist_radius_[p]
-                                  : glm::length(glm::cross(from, turn.axis)) + piece.radius);
-    own.by_node[i] = travel;
-    own.in_base += travel;
-  }
-  own.in_world =
-      own.in_base + base_lift_ + base_turn_ * (glm::distance(centre, base_place_) + piece.radius);
+  const RigidTransform frame = data_.links[node].frame * segment_->chain_from_part[p];
+  TurningPart& placed = placed_[p];
+  placed.centre = frame * piece.centre;
+  placed.radius = piece.radius;
+  for (int k = 0; k < 3; ++k) placed.half[k] = frame.rotation[k] * piece.half[k];
+  placed.twist_radius = twist_radius_[p];
+  own.in_base = travel_beyond(part, 0);
+  own.in_world = own.in_base + base_lift_ +
+                 base_turn_ * (glm::distance(placed.centre, base_place_) + piece.radius);
+  own.in_base = kMore * own.in_base + flex_;
+  own.in_world = kMore * own.in_world + flex_;
   return own;
 }
 
-const LimbMotion::Part& LimbMotion::still_part(int part) {
+double LimbMotion::travel_beyond(int part, std::size_t shared) {
   const auto p = static_cast<std::size_t>(part);
-  Part& own = parts_[p];
-  if (own.known) return own;
-  own.known = true;
-  const std::size_t track = data_.track_of[p];
+  const auto& turns = turns_on_way_[static_cast<std::size_t>(segment_->chain_of[p])];
+  return turning_travel(std::span(turns).subspan(shared), placed_[p]);
+}
+
+const LimbMotion::Travel& LimbMotion::still_travel(int part) {
+  const auto p = static_cast<std::size_t>(part);
+  Travel& own = travel_[p];
+  if (known_[p]) return own;
+  known_[p] = 1;
+  const std::size_t nodes = data_.track_count, track = data_.track_of[p];
+  const auto at = [&](const FrameTracks::Cell& cell) {
+    const TrackSums &x = tracked_[cell.row * nodes + track],
+                    &y = tracked_[(cell.row + 1) * nodes + track];
+    return glm::dvec4(x.world_lift + cell.u * (y.world_lift - x.world_lift),
+                      x.world_turn + cell.u * (y.world_turn - x.world_turn),
+                      x.base_lift + cell.u * (y.base_lift - x.base_lift),
+                      x.base_turn + cell.u * (y.base_turn - x.base_turn));
+  };
+  const glm::dvec4 middle = at(middle_);
+  const glm::dvec4 farther = glm::max(at(end_) - middle, middle - at(begin_));
   const double radius = node_radius_[p];
-  own.in_world = between(world_[track].lift) + radius * between(world_[track].turn);
-  own.in_base = between(near_[track].lift) + radius * between(near_[track].turn);
+  own.in_world = kMore * (farther[0] + radius * farther[1]);
+  own.in_base = kMore * (farther[2] + radius * farther[3]);
   return own;
 }
 
 double LimbMotion::travel(int a, int b) {
   const auto pa = static_cast<std::size_t>(a), pb = static_cast<std::size_t>(b);
-  const Part& one = moving_part(a);
+  const Travel& one = moving_travel(a);
   const int node_b = segment_->chain_of[pb];
   if (node_b == kWorld) {
-    const Part& still = still_part(b);
-    return kMore * std::min(one.in_world + still.in_world, one.in_base + still.in_base) + flex_;
+    const Travel& still = still_travel(b);
+    return std::min(one.in_world + still.in_world, one.in_base + still.in_base);
   }
-  const Part& other = moving_part(b);
+  moving_travel(b);
   const auto& way_a = way_[static_cast<std::size_t>(segment_->chain_of[pa])];
   const auto& way_b = way_[static_cast<std::size_t>(node_b)];
   std::size_t shared = 0;
   while (shared < way_a.size() && shared < way_b.size() && way_a[shared] == way_b[shared]) ++shared;
-  double sum = 0;
-  for (std::size_t i = shared; i < way_a.size(); ++i) sum += one.by_node[i];
-  for (std::size_t i = shared; i < way_b.size(); ++i) sum += other.by_node[i];
-  return kMore * sum + flex_;
+  return kMore * (travel_beyond(a, shared) + travel_beyond(b, shared)) + flex_;
 }
 
 }  // namespace elbowroom

@@ -8,12 +8,10 @@
 // by normalized linear interpolation through θ turns at 2 sin(θ/2) to 4 tan(θ/4) rad a row. Sums
 // over rows are kept, so an interval costs two look-ups a node.
 //
-// A point fixed to a node of the limb's chain moves at most, for each chain node k up to it, by how
-// far k's translation gets, plus k's angle times the point's distance from k's origin; a twist
-// counts with the distance from the bone's axis. Two frames are compared in: the world, and the
+// How far the DOFs move a part: turning_travel.h. Two frames are compared in: the world, and the
 // base that the limb's root stands on, in which a walk moves neither the limb nor the trunk near
-// it. The base's matrix is interpolated entry by entry, which leaves it short of a rotation by the
-// square of its turn in a row; `flex` bounds what that can do.
+// it. Between two rows the base does not turn evenly either; `flex`, half the square of its turn in
+// a row times the limb's reach, is far more than that can do.
 //
 // A scale that is not uniform, or changes by more than 1e-4, has no bound: supported is false.
 #pragma once
@@ -23,6 +21,7 @@
 #include <vector>
 
 #include "core/collision/limb_planning_data.h"
+#include "core/collision/turning_travel.h"
 
 namespace elbowroom {
 
@@ -34,12 +33,20 @@ class LimbMotion {
   bool supported() const { return supported_; }
   double flex() const { return flex_; }  // scene units
 
-  // The interval of an edge; `rate` is its change of DOFs a second. The chain must be placed at the
-  // middle (Data::place_chain), parts as Data::place has them there.
-  void set(const Dofs& rate, double begin, double middle, double end,
+  // The interval of an edge; `q` are its DOFs at the middle, `rate` their change a second. The
+  // chain must be placed at the middle (Data::place_chain), parts as Data::place has them there.
+  void set(const Dofs& q, const Dofs& rate, double begin, double middle, double end,
            const FrameTracks::Cell& at_begin, const FrameTracks::Cell& at_middle,
            const FrameTracks::Cell& at_end, const LimbPlanningSpace::Data::Segment& segment,
            const std::array<Quat, 3>& residual);
+
+  // How far a part may get in each of the two frames, at most. For `still_travel` and
+  // `moving_travel` a part that the world and that the limb moves; what is asked for once is kept.
+  struct Travel {
+    double in_world = 0, in_base = 0;
+  };
+  const Travel& still_travel(int part);
+  const Travel& moving_travel(int part);
 
   // How far apart the two parts of a pair may come or go together, at most, in whatever frame says
   // least. `a` moves with the limb; `b` with the limb or with the world.
@@ -49,20 +56,18 @@ class LimbMotion {
   struct Sums {  // over rows, from the first
     std::vector<double> lift, turn;
   };
-  struct Part {
-    double in_world = 0, in_base = 0;
-    std::array<double, 16> by_node{};  // along its chain, root first; below 16 nodes
-    bool known = false;
+  struct TrackSums {  // of a tracked node up to a row, in the world and in the base
+    double world_lift = 0, world_turn = 0, base_lift = 0, base_turn = 0;
   };
   double between(const std::vector<double>& sums) const;  // the farther side of the middle
-  const Part& moving_part(int part);
-  const Part& still_part(int part);
+  // In the frame of the chain node that `part`'s way reaches after `shared` nodes; 0: in the base.
+  double travel_beyond(int part, std::size_t shared);
 
   LimbPlanningSpace::Data& data_;
   bool supported_ = true;
   double flex_ = 0;
   Sums base_;                          // the base in the world
-  std::vector<Sums> world_, near_;     // by tracked node: in the world, and in the base
+  std::vector<TrackSums> tracked_;     // by row and tracked node
   std::vector<Sums> local_;            // by chain node: its own translation and (no DOF) rotation
   std::vector<double> above_;          // by chain node: scale of what it hangs from, at most
   std::vector<std::vector<int>> way_;  // by chain node: from the root to it
@@ -72,14 +77,14 @@ class LimbMotion {
   // Of the interval.
   const LimbPlanningSpace::Data::Segment* segment_ = nullptr;
   FrameTracks::Cell begin_, middle_, end_;
-  struct Turn {
-    double lift = 0, swing = 0, twist = 0;
-    Vec3 axis{1, 0, 0};  // of the twist, world
-  };
-  std::vector<Turn> turns_;  // by chain node
+  std::vector<TurningJoint> turns_;                             // by chain node
+  std::vector<std::vector<const TurningJoint*>> turns_on_way_;  // by chain node, as way_
   double base_lift_ = 0, base_turn_ = 0;
   Vec3 base_place_{0.0};
-  std::vector<Part> parts_;
+  // By part.
+  std::vector<std::uint8_t> known_;
+  std::vector<Travel> travel_;
+  std::vector<TurningPart> placed_;  // of those that move with the limb
 };
 
 }  // namespace elbowroom

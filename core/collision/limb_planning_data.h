@@ -99,13 +99,15 @@ struct LimbPlanningSpace::Data {
   // number is a multiple of kSpheres; those beyond `still` are out of everything's way.
   static constexpr std::size_t kSpheres = 8;
   struct Reach {
-    std::vector<std::uint32_t> still;  // places in Segment::still
+    std::vector<std::uint32_t> still;  // places in Segment::still, ascending
+    std::uint32_t list = 0;            // equal for rows of one segment with equal `still`
     Vec3 origin{0.0};
     std::vector<float> x, y, z, dx, dy, dz, radius;
     float largest = 0;  // coordinate
   };
   std::vector<Reach> reachable;  // by row
   std::vector<std::uint8_t> reach_known;
+  std::map<std::vector<std::uint32_t>, std::uint32_t> reach_lists;
 
   struct MetricPoint {
     int part = -1;  // -1: the chain node's own
@@ -125,18 +127,19 @@ struct LimbPlanningSpace::Data {
   };
   std::vector<Interval> open_intervals;
   std::vector<int> open_pairs;
-  std::vector<std::uint32_t> reached;  // by place in Segment::still: the look-up that saw it last
-  std::uint32_t reach_look_up = 0;
+  std::vector<std::uint32_t> reached, reached_more;           // places in Segment::still, ascending
+  std::vector<float> world_travel, base_travel, more_travel;  // by place in a cell's Reach
 
   Configuration chain_at;  // what the links were placed for, if they were
   bool chain_placed = false;
   std::uint64_t placement = 0;         // how often the chain was placed
   std::vector<Link> links;             // scratch, by chain node
   std::vector<RigidTransform> placed;  // scratch, by part
+  std::vector<Vec3> placed_centre;     // scratch, by part: of its sphere, where it is placed
   std::vector<std::uint8_t> is_placed;
   std::vector<Vec3> moving_centre;                  // scratch, by part: of its sphere, world
   std::vector<float> sphere_x, sphere_y, sphere_z;  // scratch, of a cell's Reach
-  std::vector<std::int32_t> sphere_near;
+  std::vector<std::int32_t> sphere_near;            // by place in a cell's Reach
 
   Data(const SceneCollision& of, int index, double begin, double end, const LimbState& init,
        const LimbState& goal, const Settings& given)
@@ -164,6 +167,15 @@ struct LimbPlanningSpace::Data {
   RigidTransform world_part(const FrameTracks::Cell& cell, int part);
   const RigidTransform& place(const FrameTracks::Cell& cell, const Segment& segment, int part);
   void find_reachable(const FrameTracks::Cell& cell);
+  // Places the spheres of a cell's Reach and of the moving parts; the chain must be placed.
+  void place_spheres(const FrameTracks::Cell& cell, const Segment& segment);
+  // Sets sphere_near for one moving part that may come nearer by `more` (by place; none: 0). What
+  // rounding may do to a coordinate is returned.
+  float find_near(const FrameTracks::Cell& cell, int part, const float* more);
+  // Parts that the limb's side can meet in any of the rows, into `reached`.
+  void find_reached(const FrameTracks::Cell& first, std::uint32_t last_row);
+  // Pairs that may meet within the interval that `motion` is set to, into open_pairs.
+  void open_near_pairs(const FrameTracks::Cell& cell, const Segment& segment);
   // No moving part is nearer than it may be to anything that does not move with the limb, and to
   // another one (after the first of the two); the chain must be placed.
   bool clear_of_still(const FrameTracks::Cell& cell, const Segment& segment);
@@ -173,6 +185,12 @@ struct LimbPlanningSpace::Data {
     return segments.size() == 1 ||
            std::binary_search(segment.sorted_pairs.begin(), segment.sorted_pairs.end(), pair);
   }
+  // The pair's surfaces are no nearer than that, by their spheres, and each one's box and the
+  // other's sphere.
+  double bounds_gap(int pair, const FrameTracks::Cell& cell, const Segment& segment);
+  // Each one's sphere may meet what fills the other's box: large bulky things (an umbrella) fill
+  // little of it.
+  bool boxes_near(int pair, const FrameTracks::Cell& cell, const Segment& segment, double more);
   // The pair is nearer than it may be plus `more` (0: what valid() says no to); its bounding
   // volumes are.
   bool bounds_near(int pair, const FrameTracks::Cell& cell, const Segment& segment, double more);

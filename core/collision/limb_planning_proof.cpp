@@ -30,63 +30,49 @@ std::optional<bool> LimbPlanningSpace::Data::piece_free(const Configuration& fro
   Dofs rate = from.q;
   for (int i = 0; i < rate.count; ++i) rate[i] = (to.q[i] - from.q[i]) / (to.t - from.t);
 
-  // What can be met at all: pairs of any row on the way.
-  auto first = tracks->cell_at(begin), last = tracks->cell_at(end);
+  const auto first = tracks->cell_at(begin), last = tracks->cell_at(end);
   const Segment& segment = segments[static_cast<std::size_t>(first.segment)];
-  open_pairs.clear();
-  open_intervals.clear();
-  reached.resize(pieces.size(), 0);
-  ++reach_look_up;
-  std::vector<std::uint32_t> seen;
-  for (std::uint32_t row = first.row; row <= last.row; ++row) {
-    FrameTracks::Cell cell;
-    cell.row = row;
-    cell.segment = first.segment;
-    if (!reach_known[row]) find_reachable(cell);
-    for (const std::uint32_t s : reachable[row].still) {
-      if (reached[s] == reach_look_up) continue;
-      reached[s] = reach_look_up;
-      seen.push_back(s);
-    }
-  }
-  std::sort(seen.begin(), seen.end());
-  for (const auto& with : segment.pair_with)
-    for (const std::uint32_t s : seen)
-      if (with[s] >= 0) open_pairs.push_back(with[s]);
-  open_pairs.insert(open_pairs.end(), segment.inner_pairs.begin(), segment.inner_pairs.end());
-  // Those that hit last come first.
-  auto front = open_pairs.begin();
-  for (const int pair : recent)
-    if (const auto at = std::find(front, open_pairs.end(), pair); at != open_pairs.end())
-      std::rotate(front, at, at + 1), ++front;
-  open_intervals.push_back({begin, end, 0, open_pairs.size()});
+  find_reached(first, last.row);
+  open_intervals.assign(1, {begin, end, 0, 0});
 
   for (std::size_t next = 0; next < open_intervals.size(); ++next) {
     if (next >= kMostIntervals) return false;
-    const Interval interval = open_intervals[next];
+    Interval interval = open_intervals[next];
     const double middle = 0.5 * (interval.begin + interval.end);
     Configuration c = interpolate_at(from, to, middle);
     const auto cell = tracks->cell_at(middle);
     if (looks >= most_looks) return false;
     ++looks;
     place_chain(cell, c, false);
-    motion->set(rate, interval.begin, middle, interval.end, tracks->cell_at(interval.begin), cell,
-                tracks->cell_at(interval.end), segment, state_at(c).residual);
+    motion->set(c.q, rate, interval.begin, middle, interval.end, tracks->cell_at(interval.begin),
+                cell, tracks->cell_at(interval.end), segment, state_at(c).residual);
+    if (next == 0) {  // the whole edge: what it can come near at all
+      open_near_pairs(cell, segment);
+      interval.last = open_pairs.size();
+      // Those that hit last come first.
+      auto front = open_pairs.begin();
+      for (const int pair : recent)
+        if (const auto at = std::find(front, open_pairs.end(), pair); at != open_pairs.end())
+          std::rotate(front, at, at + 1), ++front;
+    }
     const std::size_t open = open_pairs.size();
     for (std::size_t i = interval.first; i < interval.last; ++i) {
       const int pair = open_pairs[i];
       const Pair& parts_of = pairs[static_cast<std::size_t>(pair)];
       const double travel = motion->travel(parts_of.a, parts_of.b);
       if (!std::isfinite(travel)) return false;
+      const double gap = bounds_gap(pair, cell, segment);
+      const double kept = pair_states[static_cast<std::size_t>(pair)].distance;
+      if (gap > kept + travel) continue;
       if (travel <= kCoarse * height) {
         const bool fine = travel <= kFine * height + 4 * motion->flex();
         if (fine ? !near(pair, cell, segment, travel) : surely_clear(pair, cell, segment, travel))
           continue;
         if (travel <= kGiveUp * height + motion->flex()) return false;
-      } else if (!bounds_near(pair, cell, segment, travel)) {
+      } else if (!boxes_near(pair, cell, segment, travel)) {
         continue;
       }
-      if (touches(pair, cell, segment)) return false;
+      if (!(gap > kept) && touches(pair, cell, segment)) return false;
       open_pairs.push_back(pair);
     }
     if (open_pairs.size() == open) continue;

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 
+#include "core/collision/limb_motion.h"
 #include "core/collision/limb_planning_data.h"
 #include "core/collision/mesh_data.h"
 
@@ -81,6 +83,7 @@ void LimbPlanningSpace::Data::find_reachable(const FrameTracks::Cell& cell) {
     for (int k = 0; k < 3; ++k)
       near_by.largest = std::max(near_by.largest, std::abs(from[k]) + std::abs(way[k]));
   }
+  near_by.list = reach_lists.try_emplace(near_by.still, reach_lists.size()).first->second;
   while (near_by.x.size() % kSpheres != 0) {
     near_by.x.push_back(1e30f);
     for (auto* list :
@@ -89,8 +92,7 @@ void LimbPlanningSpace::Data::find_reachable(const FrameTracks::Cell& cell) {
   }
 }
 
-bool LimbPlanningSpace::Data::clear_of_still(const FrameTracks::Cell& cell,
-                                             const Segment& segment) {
+void LimbPlanningSpace::Data::place_spheres(const FrameTracks::Cell& cell, const Segment& segment) {
   const Reach& near_by = reachable[cell.row];
   const std::size_t count = near_by.x.size();
   sphere_x.resize(count);
@@ -108,21 +110,40 @@ bool LimbPlanningSpace::Data::clear_of_still(const FrameTracks::Cell& cell,
     sphere_y[s] = near_by.y[s] + u * near_by.dy[s];
     sphere_z[s] = near_by.z[s] + u * near_by.dz[s];
   }
-  for (std::size_t i = 0; i < segment.moving.size(); ++i) {
-    const auto p = static_cast<std::size_t>(segment.moving[i]);
-    const PlanningPart& piece = pieces[p];
-    const glm::vec3 c(moving_centre[p] - near_by.origin);
-    // Coordinates and their differences round a dozen times by 2^-24 of their size; squares of
-    // distances and their comparison by a few more of theirs.
-    const float size = near_by.largest + std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)});
-    const float slack = 4e-6f * size;
-    const float own = static_cast<float>(piece.radius) * (1 + 2e-6f) + slack;
-    for (std::size_t s = 0; s < count; ++s) {
+}
+
+float LimbPlanningSpace::Data::find_near(const FrameTracks::Cell& cell, int part,
+                                         const float* more) {
+  const Reach& near_by = reachable[cell.row];
+  const auto p = static_cast<std::size_t>(part);
+  const glm::vec3 c(moving_centre[p] - near_by.origin);
+  // Coordinates and their differences round a dozen times by 2^-24 of their size; squares of
+  // distances and their comparison by a few more of theirs.
+  const float size = near_by.largest + std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)});
+  const float slack = 4e-6f * size;
+  const float own = static_cast<float>(pieces[p].radius) * (1 + 2e-6f) + slack;
+  const auto look = [&](auto&& extra) {
+    for (std::size_t s = 0; s < near_by.x.size(); ++s) {
       const float x = sphere_x[s] - c.x, y = sphere_y[s] - c.y, z = sphere_z[s] - c.z;
-      const float sum = near_by.radius[s] * (1 + 2e-6f) + own;
+      const float sum = near_by.radius[s] * (1 + 2e-6f) + own + extra(s);
       // What is no number is near.
       sphere_near[s] = !(x * x + y * y + z * z > sum * sum);
     }
+  };
+  if (more)
+    look([more](std::size_t s) { return more[s] * (1 + 2e-6f); });
+  else
+    look([](std::size_t) { return 0.0f; });
+  return slack;
+}
+
+bool LimbPlanningSpace::Data::clear_of_still(const FrameTracks::Cell& cell,
+                                             const Segment& segment) {
+  const Reach& near_by = reachable[cell.row];
+  place_spheres(cell, segment);
+  for (std::size_t i = 0; i < segment.moving.size(); ++i) {
+    const PlanningPart& piece = pieces[static_cast<std::size_t>(segment.moving[i])];
+    const float slack = find_near(cell, segment.moving[i], nullptr);
     const auto& with = segment.pair_with[i];
     for (std::size_t s = 0; s < near_by.still.size(); ++s) {
       if (!sphere_near[s]) continue;
@@ -157,6 +178,60 @@ bool LimbPlanningSpace::Data::clear_of_itself(const FrameTracks::Cell& cell,
     if (touches(number, cell, segment)) return false;
   }
   return true;
+}
+
+void LimbPlanningSpace::Data::find_reached(const FrameTracks::Cell& first, std::uint32_t last_row) {
+  reached.clear();
+  const Reach* before = nullptr;
+  for (FrameTracks::Cell cell = first; cell.row <= last_row; ++cell.row) {
+    if (!reach_known[cell.row]) find_reachable(cell);
+    const Reach& here = reachable[cell.row];
+    if (before && before->list == here.list) continue;
+    before = &here;
+    if (reached.empty()) {
+      reached = here.still;
+      continue;
+    }
+    const auto known = static_cast<std::ptrdiff_t>(reached.size());
+    std::set_difference(here.still.begin(), here.still.end(), reached.begin(),
+                        reached.begin() + known, std::back_inserter(reached_more));
+    reached.insert(reached.end(), reached_more.begin(), reached_more.end());
+    reached_more.clear();
+    std::inplace_merge(reached.begin(), reached.begin() + known, reached.end());
+  }
+}
+
+void LimbPlanningSpace::Data::open_near_pairs(const FrameTracks::Cell& cell,
+                                              const Segment& segment) {
+  const Reach& near_by = reachable[cell.row];
+  const std::size_t count = near_by.x.size();
+  open_pairs.clear();
+  place_spheres(cell, segment);
+  world_travel.assign(count, 0.0f);
+  base_travel.assign(count, 0.0f);
+  for (std::size_t s = 0; s < near_by.still.size(); ++s) {
+    const LimbMotion::Travel travel = motion->still_travel(segment.still[near_by.still[s]]);
+    world_travel[s] = static_cast<float>(travel.in_world);
+    base_travel[s] = static_cast<float>(travel.in_base);
+  }
+  more_travel.resize(count);
+  for (std::size_t i = 0; i < segment.moving.size(); ++i) {
+    const LimbMotion::Travel travel = motion->moving_travel(segment.moving[i]);
+    const auto in_world = static_cast<float>(travel.in_world),
+               in_base = static_cast<float>(travel.in_base);
+    for (std::size_t s = 0; s < count; ++s)
+      more_travel[s] = std::min(in_world + world_travel[s], in_base + base_travel[s]);
+    find_near(cell, segment.moving[i], more_travel.data());
+    const auto& with = segment.pair_with[i];
+    std::size_t s = 0;
+    for (const std::uint32_t still : reached) {
+      const bool here = s < near_by.still.size() && near_by.still[s] == still;
+      // What cannot be met at this time may be at another one of the interval.
+      if ((!here || sphere_near[s]) && with[still] >= 0) open_pairs.push_back(with[still]);
+      s += here ? 1 : 0;
+    }
+  }
+  open_pairs.insert(open_pairs.end(), segment.inner_pairs.begin(), segment.inner_pairs.end());
 }
 
 }  // namespace elbowroom

@@ -12,6 +12,35 @@
 #include "core/collision/rigid_links.h"
 
 namespace elbowroom {
+namespace {
+
+constexpr double kStraight = 3e-9;  // of the scale's square, as rounding leaves it
+
+// The uniform scale's square of a rotation with scale, or 0 if it is none to within `most` of that.
+double even_square(const Mat3& m, double most) {
+  const double xx = glm::dot(m[0], m[0]), yy = glm::dot(m[1], m[1]), zz = glm::dot(m[2], m[2]);
+  const double size2 = (xx + yy + zz) / 3, tiny = most * size2;
+  const bool even =
+      size2 > 0 && std::abs(xx - yy) <= tiny && std::abs(xx - zz) <= tiny &&
+      std::abs(glm::dot(m[0], m[1])) <= tiny && std::abs(glm::dot(m[1], m[2])) <= tiny &&
+      std::abs(glm::dot(m[0], m[2])) <= tiny && glm::dot(glm::cross(m[0], m[1]), m[2]) > 0;
+  return even ? size2 : 0.0;
+}
+
+// Between two rotations with the same scale that are close. Entry by entry what lies between is
+// short of a rotation by the square of their angle; one step of Newton's iteration for the polar
+// factor [Higham 1986] takes that out. What is sheared, mirrored or unevenly scaled stays as it is.
+Mat3 base_between(const Mat3& a, const Mat3& b, double u) {
+  const Mat3 m = a + u * (b - a);
+  const double size2 = even_square(m, 1e-2);
+  if (!(size2 > 0) || !(even_square(a, kStraight) > 0) || !(even_square(b, kStraight) > 0))
+    return m;
+  const double k = 0.5 * size2 / glm::dot(glm::cross(m[0], m[1]), m[2]);
+  return {0.5 * m[0] + k * glm::cross(m[1], m[2]), 0.5 * m[1] + k * glm::cross(m[2], m[0]),
+          0.5 * m[2] + k * glm::cross(m[0], m[1])};
+}
+
+}  // namespace
 
 LimbState LimbPlanningSpace::Data::state_at(const Configuration& c) const {
   LimbState state;
@@ -37,22 +66,21 @@ void LimbPlanningSpace::Data::place_chain(const FrameTracks::Cell& cell, const C
   ++placement;
   const LimbState state = state_at(c);
   const Mat4 &p0 = tracks->parent(cell.row), &p1 = tracks->parent(cell.row + 1);
-  // A rotation between two close ones, entry by entry, is short of a rotation by the square of
-  // their angle; what is left of that the frames' own normalization takes out.
-  const Mat4 parent = p0 + cell.u * (p1 - p0);
+  const Mat3 base = base_between(Mat3(p0), Mat3(p1), cell.u);
+  const Vec3 base_place = Vec3(p0[3]) + cell.u * (Vec3(p1[3]) - Vec3(p0[3]));
   for (std::size_t n = 0; n < chain.nodes.size(); ++n) {
     const Chain::Node& node = chain.nodes[n];
-    Transform local = tracks->local_at(cell, n);
-    if (node.dof_joint >= 0 && !clip_pose) {
+    const bool planned = node.dof_joint >= 0 && !clip_pose;
+    Transform local = tracks->local_at(cell, n, !planned);
+    if (planned) {
       const JointModel& joint = limb.joints[static_cast<std::size_t>(node.dof_joint)];
       local.rotation =
           local_rotation(joint, &state.q.value[static_cast<std::size_t>(joint.first_dof)],
                          state.residual[static_cast<std::size_t>(node.dof_joint)]);
     }
-    const Mat3 above =
-        node.parent < 0 ? Mat3(parent) : links[static_cast<std::size_t>(node.parent)].linear;
+    const Mat3 above = node.parent < 0 ? base : links[static_cast<std::size_t>(node.parent)].linear;
     const Vec3 from =
-        node.parent < 0 ? Vec3(parent[3]) : links[static_cast<std::size_t>(node.parent)].place;
+        node.parent < 0 ? base_place : links[static_cast<std::size_t>(node.parent)].place;
     Mat3 own = glm::mat3_cast(local.rotation);
     for (int k = 0; k < 3; ++k) own[k] *= local.scale[k];
     Link& link = links[n];
@@ -60,13 +88,9 @@ void LimbPlanningSpace::Data::place_chain(const FrameTracks::Cell& cell, const C
     link.place = from + above * local.translation;
     link.frame.translation = link.place;
     // Where nothing is sheared or mirrored the columns are a rotation but for their length.
-    const Vec3 x = link.linear[0], y = link.linear[1], z = link.linear[2];
-    const double xx = glm::dot(x, x), yy = glm::dot(y, y), zz = glm::dot(z, z);
-    const double tiny = 1e-9 * (xx + yy + zz);
-    if (xx > 0 && std::abs(xx - yy) <= tiny && std::abs(xx - zz) <= tiny &&
-        std::abs(glm::dot(x, y)) <= tiny && std::abs(glm::dot(y, z)) <= tiny &&
-        std::abs(glm::dot(x, z)) <= tiny && glm::dot(glm::cross(x, y), z) > 0) {
-      link.frame.rotation = link.linear * (1.0 / std::sqrt(xx));
+    const double size2 = even_square(link.linear, kStraight);
+    if (size2 > 0) {
+      link.frame.rotation = link.linear * (1.0 / std::sqrt(size2));
     } else {
       Mat4 m(link.linear);
       link.frame.rotation = glm::mat3_cast(rotation_of(m));
@@ -90,44 +114,53 @@ const RigidTransform& LimbPlanningSpace::Data::place(const FrameTracks::Cell& ce
     placed[p] = node == kWorld
                     ? world_part(cell, part)
                     : links[static_cast<std::size_t>(node)].frame * segment.chain_from_part[p];
+    placed_centre[p] = placed[p] * pieces[p].centre;
     is_placed[p] = 1;
   }
   return placed[p];
 }
 
-bool LimbPlanningSpace::Data::bounds_near(int number, const FrameTracks::Cell& cell,
-                                          const Segment& segment, double more) {
-  const auto k = static_cast<std::size_t>(number);
-  const Pair& pair = pairs[k];
-  const double distance = pair_states[k].distance + more;
+double LimbPlanningSpace::Data::bounds_gap(int number, const FrameTracks::Cell& cell,
+                                           const Segment& segment) {
+  const Pair& pair = pairs[static_cast<std::size_t>(number)];
   const RigidTransform& world_from_a = place(cell, segment, pair.a);
   const RigidTransform& world_from_b = place(cell, segment, pair.b);
   const PlanningPart &a = pieces[static_cast<std::size_t>(pair.a)],
                      &b = pieces[static_cast<std::size_t>(pair.b)];
-  const Vec3 centre_a = world_from_a * a.centre, centre_b = world_from_b * b.centre;
-  const Vec3 apart = centre_a - centre_b;
-  const double sum = a.radius + b.radius + distance;
-  if (glm::dot(apart, apart) > sum * sum) return false;
+  const Vec3 apart = placed_centre[static_cast<std::size_t>(pair.a)] -
+                     placed_centre[static_cast<std::size_t>(pair.b)];
   // Long thin parts fill little of their spheres: each one's box against the other's sphere.
-  const auto beyond_box = [&](const Mat3& turned, const Vec3& half, double reach) {
+  const auto beyond_box = [&](const Mat3& turned, const Vec3& half) {
     double out2 = 0;
     for (int axis = 0; axis < 3; ++axis) {
       const double out = std::abs(glm::dot(turned[axis], apart)) - half[axis];
       if (out > 0) out2 += out * out;
     }
-    return out2 > reach * reach;
+    return std::sqrt(out2);
   };
-  if (beyond_box(world_from_a.rotation, a.half, b.radius + distance) ||
-      beyond_box(world_from_b.rotation, b.half, a.radius + distance))
-    return false;
-  // Large bulky things (an umbrella) fill little of their boxes.
-  const auto may_meet = [&](const PlanningPart& part, const RigidTransform& placed,
-                            const Vec3& centre, double reach) {
-    return part.mesh->data().sphere_may_meet((centre - placed.translation) * placed.rotation,
-                                             reach);
+  return std::max({glm::length(apart) - a.radius - b.radius,
+                   beyond_box(world_from_a.rotation, a.half) - b.radius,
+                   beyond_box(world_from_b.rotation, b.half) - a.radius});
+}
+
+bool LimbPlanningSpace::Data::bounds_near(int number, const FrameTracks::Cell& cell,
+                                          const Segment& segment, double more) {
+  const auto k = static_cast<std::size_t>(number);
+  return !(bounds_gap(number, cell, segment) > pair_states[k].distance + more) &&
+         boxes_near(number, cell, segment, more);
+}
+
+bool LimbPlanningSpace::Data::boxes_near(int number, const FrameTracks::Cell& cell,
+                                         const Segment& segment, double more) {
+  const auto k = static_cast<std::size_t>(number);
+  const auto a = static_cast<std::size_t>(pairs[k].a), b = static_cast<std::size_t>(pairs[k].b);
+  const double distance = pair_states[k].distance + more;
+  const auto may_meet = [&](std::size_t part, std::size_t other) {
+    const RigidTransform& at = place(cell, segment, static_cast<int>(part));
+    return pieces[part].mesh->data().sphere_may_meet(
+        (placed_centre[other] - at.translation) * at.rotation, pieces[other].radius + distance);
   };
-  return may_meet(a, world_from_a, centre_b, b.radius + distance) &&
-         may_meet(b, world_from_b, centre_a, a.radius + distance);
+  return may_meet(a, b) && may_meet(b, a);
 }
 
 bool LimbPlanningSpace::Data::near(int number, const FrameTracks::Cell& cell,
@@ -228,6 +261,7 @@ LimbPlanningSpace::LimbPlanningSpace(const SceneCollision& scene, int limb, doub
   d.tracks =
       std::make_unique<FrameTracks>(d.world, std::move(nodes), std::move(locals), t_init, t_goal);
   d.placed.resize(d.pieces.size());
+  d.placed_centre.resize(d.pieces.size());
   d.moving_centre.resize(d.pieces.size());
   d.is_placed.assign(d.pieces.size(), 0);
   d.reachable.resize(d.tracks->row_count());
