@@ -18,10 +18,12 @@ void print_windows(const Session& session, const CorrectionOutcome& outcome) {
     std::printf("  %-10s %.3f - %.3f s  ", name.c_str(), window.begin, window.end);
     if (window.status == CorrectionStatus::corrected)
       std::printf(
-          "%s in %.0f ms, clearance %.4g, at most %.0f° from the clip, "
-          "peak speed %.1f rad/s\n",
+          "%s in %.0f ms, clearance %.4g from the scene, %.4g from anything, at most %.0f° from "
+          "the "
+          "clip, peak speed %.1f rad/s\n",
           window.accepted ? "as accepted, verified" : "corrected", window.total_ms,
-          window.min_clearance, window.deviation_from_clip * 180 / kPi, window.peak_speed);
+          window.scene_clearance, window.min_clearance, window.deviation_from_clip * 180 / kPi,
+          window.peak_speed);
     else
       std::printf("%s: %s%s%s\n",
                   window.status == CorrectionStatus::cancelled ? "interrupted" : "not corrected",

@@ -79,6 +79,8 @@ std::string correction_report(const std::string& status, const Session& session,
     if (!window.not_certified.empty()) item["not_certified"] = window.not_certified;
     item["depth_sampled"] = window.depth_sampled;
     item["min_clearance"] = window.min_clearance;
+    item["scene_clearance"] = window.scene_clearance;
+    item["planned_clearance"] = window.planned_clearance;
     item["plan_ms"] = window.plan_ms;
     item["smooth_ms"] = window.smooth_ms;
     item["verify_ms"] = window.verify_ms;
@@ -103,6 +105,7 @@ std::string correction_report(const std::string& status, const Session& session,
                  {"seed", way.seed},
                  {"certified", way.certified},
                  {"min_clearance", way.min_clearance},
+                 {"scene_clearance", way.scene_clearance},
                  {"peak_speed", way.peak_speed},
                  {"peak_acceleration", way.peak_acceleration},
                  {"deviation_from_clip", way.deviation_from_clip}};

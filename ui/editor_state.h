@@ -75,6 +75,7 @@ struct PlanFailure {
   // the planner draws at random changes nothing then.
   bool hopeless = false;
   bool reach = false;
+  bool turning = false;  // a reach that may do with the hand turned otherwise
 };
 
 // Where the limb stands for the hand target that is being set.

@@ -60,7 +60,7 @@ int run_check(const CheckOptions& options, Interruption& interruption) {
   std::printf("%s, %.3f s: ", session->clip_name().c_str(), clip->duration());
   if (contacts.empty()) std::printf("no limb collides\n");
   if (!contacts.empty()) {
-    std::printf("%zu contacts of limbs\n", contacts.size());
+    std::printf("%zu contact%s of limbs\n", contacts.size(), contacts.size() == 1 ? "" : "s");
     for (const auto& contact : contacts) print(contact);
   }
   if (!others.empty()) {

@@ -21,6 +21,7 @@ PlanFailure failure_of(const Task& task, const WindowReport& report) {
   failure.suggestions = report.suggestions;
   failure.hopeless = report.attempts.empty();
   failure.reach = task.kind == TaskKind::reach;
+  failure.turning = task.target && task.target->orientation && !report.out_of_reach;
   return failure;
 }
 
@@ -69,10 +70,9 @@ PlanOutcome SceneWork::plan(std::shared_ptr<const Clip> clip, int limb, const Ta
         window_problem(*scene_, clip, limb, task.window->lower, task.window->upper, task.wishes),
         task.wishes, stop, progress);
     if (!plan.correction && !stop.stop_requested())
-      plan.report.suggestions =
-          try_suggestions(*scene_, plan.report, task.wishes, stop, [&](const Progress& p) {
-            progress({"trying what would do instead", p.fraction});
-          });
+      try_suggestions(*scene_, plan.report, task.wishes, stop, [&](const Progress& p) {
+        progress({"trying what would do instead", p.fraction});
+      });
   }
   if (stop.stop_requested()) return outcome;
   if (!plan.correction) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "core/editing/contact_rate.h"
 #include "core/editing/motion_cost.h"
@@ -72,6 +73,29 @@ WindowPlan plan_with_time(SceneCollision& scene, const std::shared_ptr<const Cli
     if (!best.correction) best.report.suggestions = std::move(tried);
   }
   return best;
+}
+
+std::string length_text(double length) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", length);
+  return text;
+}
+
+// What was asked for and is not so.
+void note_what_is_missing(const std::string& limb, const WindowPlan& plan,
+                          const PlanningWishes& wishes, double clearance,
+                          std::vector<std::string>& notes) {
+  char what[120];
+  std::snprintf(what, sizeof what, "%s, %.3f to %.3f s: ", limb.c_str(), plan.report.begin,
+                plan.report.end);
+  if (plan.report.planned_clearance < clearance)
+    notes.push_back(what + ("no way was found that keeps " + length_text(clearance)) +
+                    " from the scene; this one was planned with " +
+                    length_text(plan.report.planned_clearance));
+  const std::size_t found = 1 + plan.alternatives.size();
+  if (found < static_cast<std::size_t>(std::max(1, wishes.alternatives)))
+    notes.push_back(what + std::to_string(found) + " of " + std::to_string(wishes.alternatives) +
+                    " ways around were found; the others were the same way again, or none");
 }
 
 }  // namespace
@@ -175,9 +199,12 @@ Result<CorrectionOutcome> correct(SceneCollision& scene, const std::vector<int>&
                                                task.wishes, stop, progress)
                                  : plan_with_time(scene, outcome.clip, limb, window, task.wishes,
                                                   clearance, before, after, stop, progress);
-      if (!planned.correction && !stop.stop_requested())
-        planned.report.suggestions =
-            try_suggestions(scene, planned.report, task.wishes, stop, progress);
+      if (planned.correction) {
+        note_what_is_missing(model_of_limb.limb.name, planned, task.wishes, clearance,
+                             outcome.notes);
+      } else if (!stop.stop_requested()) {
+        try_suggestions(scene, planned.report, task.wishes, stop, progress);
+      }
       outcome.windows.push_back(planned.report);
       for (auto& other : planned.alternatives) {
         other.correction.task = task.name;

@@ -48,7 +48,11 @@ struct WindowReport {
   std::string not_certified;               // why not: pair, time and reason
   std::vector<std::string> depth_sampled;  // pairs that may touch as deep as in the clip and come
                                            // near: their depth is known at the samples only
-  double min_clearance = 0;                // scene units, over the verified samples
+  double min_clearance = 0;      // scene units, over the verified samples, from anything, its own
+                                 // body and what it carries too
+  double scene_clearance = 0;    // the same from all that is not the character nor carried by it
+  double planned_clearance = 0;  // that was kept from the scene in planning: less than what was
+                                 // asked for where no way with that was found
   double plan_ms = 0, smooth_ms = 0, verify_ms = 0, certify_ms = 0, total_ms = 0;
   long validity_checks = 0, edge_checks = 0, iterations = 0;
   int landmarks = 0;
@@ -56,8 +60,11 @@ struct WindowReport {
   double peak_acceleration = 0;    // rad/s², any DOF
   double deviation_from_clip = 0;  // rad, the largest angle of any limb joint from the clip
   double cost = 0;  // motion_cost.h; what ways around are ranked by; 0 where nothing was planned
-  std::string blocked_by;                   // what stood in the way, when it failed: pair and time
-  std::string reason;                       // for people, when it failed
+  bool out_of_reach = false;  // failed since the limb is too short for the place of its target,
+                              // however the hand is turned
+  bool ends_touch = false;    // failed since the limb is in contact at one of the window's ends
+  std::string blocked_by;     // what stood in the way, when it failed: pair and time
+  std::string reason;         // for people, when it failed
   std::vector<std::string> limits_widened;  // DOF names
   // What each attempt looked at and came to, in order, for people.
   std::vector<std::string> attempts;
@@ -98,7 +105,7 @@ void look_at_contacts(SceneCollision& scene, const std::vector<int>& limbs,
 struct ProposedWindow {
   double begin = 0, end = 0;
   std::vector<ContactInterval> contacts;
-  std::string blocked;  // empty: both ends are free
+  std::string blocked;  // for people; empty: both ends are free
 };
 std::vector<ProposedWindow> propose_windows(SceneCollision& scene, int limb,
                                             const std::vector<ContactInterval>& contacts,

@@ -98,9 +98,9 @@ class WindowPlanner {
       if (!p_.scene->limb_in_contact(t, p_.limb_index, touching())) continue;
       std::vector<ContactSample> contacts;
       p_.scene->contacts_at(t, p_.limb_index, false, contacts);
-      report_.reason = "the limb is in contact at the window's " +
-                       std::string(t == p_.begin ? "begin" : "end") +
-                       "; choose a window whose ends are free";
+      report_.ends_touch = true;
+      report_.reason =
+          "the limb is in contact at the window's " + std::string(t == p_.begin ? "begin" : "end");
       char at[32];
       std::snprintf(at, sizeof at, " at %.3f s", t);
       if (!contacts.empty())
@@ -131,7 +131,7 @@ class WindowPlanner {
     // On the skin it poses the limb.
     if (view.on_skin) world.reset();
     const std::size_t before = held_.size();
-    verify_ways(ways, said, {world.get(), next.lesson});
+    verify_ways(ways, said, {&view, world.get(), next.lesson});
     return held_.size() > before || enough();
   }
 
@@ -216,6 +216,7 @@ class WindowPlanner {
 
   // Where a motion comes from, if something is to be learnt from it.
   struct PlannedFrom {
+    const PlanningView* view;
     PlanningWorld* world;  // null: the skin
     SkinLesson* lesson;
   };
@@ -295,6 +296,7 @@ class WindowPlanner {
     report.reason.clear();
     report.blocked_by.clear();
     report.seed = way.seed;
+    report.planned_clearance = std::min(from.view->clearance, wanted());
     report.landmarks = way.landmarks;
     for (const std::string& name : way.limits_widened) {
       auto& all = report.limits_widened;

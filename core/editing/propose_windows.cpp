@@ -54,14 +54,21 @@ std::vector<ProposedWindow> propose_windows(SceneCollision& scene, int limb,
     window.contacts = {contact};
     const double from = std::max(clip->begin, contact.begin - kLead);
     const double to = std::min(clip->end, contact.end + kLead);
-    if (!find_free_end(scene, limb, from, -kSearchStep, clip->begin, clearance, window.begin)) {
-      window.begin = as_float32(clip->begin);
-      window.blocked = "the limb is in contact already where the clip begins";
-    }
-    if (!find_free_end(scene, limb, to, kSearchStep, clip->end, clearance, window.end)) {
-      window.end = as_float32(clip->end);
-      window.blocked = "the limb is still in contact where the clip ends";
-    }
+    const bool begins =
+        find_free_end(scene, limb, from, -kSearchStep, clip->begin, clearance, window.begin);
+    const bool ends = find_free_end(scene, limb, to, kSearchStep, clip->end, clearance, window.end);
+    if (!begins) window.begin = as_float32(clip->begin);
+    if (!ends) window.end = as_float32(clip->end);
+    if (!begins && !ends)
+      window.blocked =
+          "the limb is in contact from where the clip begins to where it ends, so there is nothing "
+          "to begin a way around from; move what is in the way, or what the limb holds";
+    else if (!begins || !ends)
+      window.blocked = std::string("the limb is ") +
+                       (begins ? "still in contact where the clip ends"
+                               : "in contact already where the clip begins") +
+                       ", and a way around has to " + (begins ? "end" : "begin") +
+                       " free; move what is in the way, or let the clip be longer";
     if (!windows.empty() && window.begin <= windows.back().end) {
       ProposedWindow& last = windows.back();
       last.end = std::max(last.end, window.end);

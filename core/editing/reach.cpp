@@ -326,6 +326,8 @@ class Reach {
       return false;
     }
     reason_ = ik_reason(posture_, *problem_.limb);
+    // Of the wrist's own place; the palm's depends on how the hand is turned.
+    out_of_reach_ = posture_.status == IkStatus::out_of_reach && !task_.target->grasp;
     if (posture_.status == IkStatus::in_collision)
       blocked_by_ = contact_of(scene_, limb_, t_b_, posture_.state);
     return false;
@@ -342,6 +344,7 @@ class Reach {
     plan.report.seed = task_.wishes.seed;
     plan.report.reason = reason_;
     plan.report.blocked_by = blocked_by_;
+    plan.report.out_of_reach = out_of_reach_;
     plan.report.limits_widened = problem_.limits_widened;
     return plan;
   }
@@ -357,6 +360,7 @@ class Reach {
   IkTarget goal_;
   IkResult posture_;
   std::string reason_, blocked_by_;
+  bool out_of_reach_ = false;
 };
 
 }  // namespace
@@ -389,6 +393,20 @@ Result<CorrectionOutcome> reach(SceneCollision& scene, int limb, const Task& tas
   auto planned = plan_reach(scene, limb, task, stop, progress);
   if (!planned) return planned.error();
   WindowPlan& plan = *planned;
+  if (!plan.correction && task.window && !stop.stop_requested()) {
+    // With a window of its own choosing?
+    Task freely = task;
+    freely.window.reset();
+    scene.set_clip(source);
+    const auto other = plan_reach(scene, limb, freely, stop, progress);
+    if (!other) return other.error();
+    const Interval tried{other->report.begin, other->report.end};
+    if (!stop.stop_requested() && !(tried == Interval{plan.report.begin, plan.report.end}))
+      plan.report.suggestions.push_back({Suggestion::Kind::wider_window,
+                                         other->correction.has_value(), tried,
+                                         scene.limbs()[static_cast<std::size_t>(limb)].limb.name});
+  }
+  if (plan.report.ends_touch) plan.report.reason += "; choose a window whose ends are free";
   outcome.windows.push_back(plan.report);
   outcome.interrupted = stop.stop_requested();
   if (plan.correction) {

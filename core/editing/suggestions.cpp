@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "core/editing/contact_rate.h"
 #include "core/editing/plan_window.h"
 
 namespace elbowroom {
@@ -31,6 +32,26 @@ int limb_in_the_way(const SceneCollision& scene, int limb, const std::string& bl
   for (std::size_t i = 0; i < scene.limbs().size(); ++i)
     if (static_cast<int>(i) != limb && names(scene.limbs()[i])) return static_cast<int>(i);
   return -1;
+}
+
+// Windows that would be chosen for what the limb touches in the one that failed. Says in its reason
+// what is to be done where one of its ends is not free.
+std::vector<Interval> windows_instead(SceneCollision& scene, double clearance, WindowReport& failed,
+                                      const std::stop_token& stop) {
+  const auto& clip = scene.world().actors[static_cast<std::size_t>(scene.actor())].clip;
+  const auto contacts = scene.scan(clip->begin, clip->end, kContactRate, failed.limb, false, stop);
+  std::vector<Interval> chosen;
+  std::string blocked;
+  for (const ProposedWindow& window : propose_windows(scene, failed.limb, contacts, clearance)) {
+    if (window.end < failed.begin || window.begin > failed.end) continue;
+    if (window.blocked.empty())
+      chosen.push_back({window.begin, window.end});
+    else
+      blocked = window.blocked;
+  }
+  if (failed.ends_touch)
+    failed.reason += "; " + (blocked.empty() ? "choose a window whose ends are free" : blocked);
+  return chosen;
 }
 
 }  // namespace
@@ -63,11 +84,13 @@ std::string Suggestion::text() const {
   return "correcting " + limb + " instead " + (works ? "would do" : "would not do");
 }
 
-std::vector<Suggestion> try_suggestions(SceneCollision& scene, const WindowReport& failed,
-                                        const PlanningWishes& wishes, const std::stop_token& stop,
-                                        const ProgressSink& progress) {
-  std::vector<Suggestion> tried = failed.suggestions;
+void try_suggestions(SceneCollision& scene, WindowReport& failed, const PlanningWishes& wishes,
+                     const std::stop_token& stop, const ProgressSink& progress) {
+  std::vector<Suggestion>& tried = failed.suggestions;
   const auto clip = scene.world().actors[static_cast<std::size_t>(scene.actor())].clip;
+  const double clearance =
+      wishes.clearance > 0 ? wishes.clearance : scene.settings().clearance * scene.height();
+  const std::vector<Interval> chosen = windows_instead(scene, clearance, failed, stop);
   PlanningWishes once = wishes;
   once.alternatives = 1;
   // True if it works: then no other needs to be tried.
@@ -86,19 +109,20 @@ std::vector<Suggestion> try_suggestions(SceneCollision& scene, const WindowRepor
     PlanningWishes freely = once;
     freely.sampling.clear();
     if (attempt({Suggestion::Kind::wider_intervals, false, window, name}, failed.limb, freely))
-      return tried;
+      return;
   }
-  const double clearance =
-      wishes.clearance > 0 ? wishes.clearance : scene.settings().clearance * scene.height();
   const bool wider_tried = std::any_of(tried.begin(), tried.end(), [](const Suggestion& s) {
     return s.kind == Suggestion::Kind::wider_window;
   });
+  for (const Interval& other : chosen)
+    if (!wider_tried && !(other == window) &&
+        attempt({Suggestion::Kind::wider_window, false, other, name}, failed.limb, once))
+      return;
   for (const double by : kWider) {
     if (wider_tried) break;
     const auto wide = widened_window(scene, failed.limb, window, by, clearance);
     if (!wide) continue;
-    if (attempt({Suggestion::Kind::wider_window, false, *wide, name}, failed.limb, once))
-      return tried;
+    if (attempt({Suggestion::Kind::wider_window, false, *wide, name}, failed.limb, once)) return;
   }
   const int other = limb_in_the_way(scene, failed.limb, failed.blocked_by);
   if (other >= 0) {
@@ -108,7 +132,6 @@ std::vector<Suggestion> try_suggestions(SceneCollision& scene, const WindowRepor
              scene.limbs()[static_cast<std::size_t>(other)].limb.name},
             other, freely);
   }
-  return tried;
 }
 
 }  // namespace elbowroom

@@ -88,9 +88,9 @@ SeenContact look(WindowProblem& p, const std::vector<float>& keys, std::uint64_t
   return {};
 }
 
-// Lowers `min_clearance` to what is seen; a contact, should there be one.
-SeenContact measure_clearance(WindowProblem& p, const std::stop_token& stop,
-                              double& min_clearance) {
+// Lowers clearances to what is seen; a contact, should there be one.
+SeenContact measure_clearance(WindowProblem& p, const std::stop_token& stop, double& min_clearance,
+                              double& scene_clearance) {
   SceneCollision& scene = *p.scene;
   const double touching = scene.settings().epsilon * scene.height();
   const int samples = std::max(1, static_cast<int>((p.end - p.begin) * kClearanceRate));
@@ -98,6 +98,8 @@ SeenContact measure_clearance(WindowProblem& p, const std::stop_token& stop,
     if (stop.stop_requested()) return cancelled();
     const double t = p.begin + (p.end - p.begin) * i / samples;
     min_clearance = std::min(min_clearance, scene.limb_clearance(t, p.limb_index, min_clearance));
+    scene_clearance = std::min(scene_clearance,
+                               scene.limb_clearance_from_scene(t, p.limb_index, scene_clearance));
     if (min_clearance <= touching) return touched_at(scene, p.limb_index, t, touching);
   }
   return {};
@@ -174,7 +176,7 @@ SeenContact verify_keys(WindowProblem& p, const KeyedMotion& keyed, std::uint64_
   const auto start = Clock::now();
   p.scene->set_clip(keyed.clip);
   p.scene->allow_beside_clip_contacts(false);
-  report.min_clearance = kClearanceReach * p.scene->height();
+  report.min_clearance = report.scene_clearance = kClearanceReach * p.scene->height();
   SeenContact hit = glance(p, stop);
   report.verify_ms += ms_since(start);
   if (hit.none()) {
@@ -183,7 +185,7 @@ SeenContact verify_keys(WindowProblem& p, const KeyedMotion& keyed, std::uint64_
     // A proof is of all times; what it leaves to samples is looked at.
     if (hit.none() && (!report.certified || !report.depth_sampled.empty()))
       hit = look(p, keyed.correction.joints.front().keys.times, seed, stop, progress);
-    if (hit.none()) hit = measure_clearance(p, stop, report.min_clearance);
+    if (hit.none()) hit = measure_clearance(p, stop, report.min_clearance, report.scene_clearance);
     report.verify_ms += ms_since(looking);
   }
   p.scene->set_clip(p.clip);

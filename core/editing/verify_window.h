@@ -31,8 +31,8 @@ struct SeenContact {
 };
 
 // Looks at the keys: the scene plays them meanwhile and problem.clip afterwards. Where nothing
-// touches, report.min_clearance, certified and what
-// belongs to it are set. Times are added to report's. `seed` chooses the random times.
+// touches, report's clearances, certified and what belongs to it are set. Times are added to
+// report's. `seed` chooses the random times.
 //
 // What the clip itself touches may be touched, triangle by triangle (clip_touching.h); the room to
 // slide that planning has does not count here. A glance at 60 Hz comes first, then the proof. What

@@ -159,10 +159,24 @@ void keep_unknown_in_list(Json& fresh, const Json& old) {
 Result<Json> parse_project(const std::filesystem::path& file) {
   const auto text = read_whole_file(file);
   if (!text) return text.error();
-  Json root = Json::parse(*text, nullptr, false);
-  if (root.is_discarded() || !root.is_object())
-    return Error{"this is no project file: it is no JSON object", file.string(),
-                 "if it was edited by hand or merged, look for a missing comma or bracket"};
+  Json root;
+  std::string where = "it is no JSON";
+  try {
+    root = Json::parse(*text);
+    where.clear();
+  } catch (const Json::parse_error& problem) {
+    const auto read = static_cast<std::ptrdiff_t>(std::min(problem.byte, text->size()));
+    where += " from line " +
+             std::to_string(1 + std::count(text->begin(), text->begin() + read, '\n')) + " on";
+  } catch (const Json::exception&) {
+    where += ": a number in it is too large";
+  }
+  if (!where.empty())
+    return Error{"this is no project file: " + where, file.string(),
+                 "if it was edited by hand or merged, look there for a missing or stray comma or "
+                 "bracket"};
+  if (!root.is_object())
+    return Error{"this is no project file: it is no JSON object", file.string(), ""};
   const auto version = root.find("version");
   if (version == root.end() || !version->is_number_integer() || version->get<std::int64_t>() < 1)
     return Error{"this is no project file: it has no version", file.string(), ""};

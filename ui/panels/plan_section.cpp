@@ -118,12 +118,6 @@ void use_suggestion(const PanelContext& context, const Suggestion& works) {
   context.emit(command::Plan{});
 }
 
-// The target asks for an orientation too.
-bool turned(const PanelContext& context) {
-  const auto& target = context.state.document->draft.target;
-  return target && target->orientation;
-}
-
 void failure_note(const PanelContext& context) {
   const PlanFailure& failure = *context.state.failure;
   std::string more;
@@ -136,7 +130,7 @@ void failure_note(const PanelContext& context) {
     if (!failure.hopeless)
       line("Another seed may find a way.");
     else if (failure.reach)
-      line(turned(context) ? "Move the target, or let the hand turn freely." : "Move the target.");
+      line(failure.turning ? "Move the target, or let the hand turn freely." : "Move the target.");
   }
   inline_note(
       context.ui, Tone::problem,

@@ -290,7 +290,8 @@ Edit range_slider(Ui& ui, std::string_view name, RangeModel& m, const RangeOptio
                     (kept[kHasKeys] != 0 || (ImGui::IsItemFocused() && io.NavVisible)) &&
                     ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
   if (keys) {
-    ui.take_keys();
+    const bool by_keyboard = ImGui::IsItemFocused() && io.NavVisible;
+    ui.take_keys(by_keyboard);
     const double keys_low = m.low, keys_high = m.high;
     const double step = (options.key_step > 0 ? options.key_step / std::abs(per) : unit_step) *
                         (io.KeyShift  ? 0.1
@@ -309,7 +310,7 @@ Edit range_slider(Ui& ui, std::string_view name, RangeModel& m, const RangeOptio
       m.low = m.default_low;
       m.high = m.default_high;
     }
-    start_typing |= pressed(ImGuiKey_Enter, false);
+    start_typing |= by_keyboard && pressed(ImGuiKey_Enter, false);
     edit.committed |= m.low != keys_low || m.high != keys_high;
   }
   if (start_typing && options.enabled) {

@@ -242,7 +242,7 @@ Edit swing_map(Ui& ui, std::string_view name, SwingMap& map, const SwingMapOptio
   const bool keys = kept[kHasKeys] != 0 && kept[kLast] >= 0 && !active && !io.WantTextInput &&
                     ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
   if (keys) {
-    ui.take_keys();
+    ui.take_keys(false);
     const double step = kDegree * (io.KeyShift ? 0.1 : io.KeyCtrl ? 10.0 : 1.0);
     const double across = (pressed(ImGuiKey_RightArrow, true) ? step : 0) -
                           (pressed(ImGuiKey_LeftArrow, true) ? step : 0);

@@ -26,7 +26,7 @@ void Ui::begin_frame() {
   probe_.clear();
   path_.clear();
   hint_.clear();
-  takes_keys_ = false;
+  takes_keys_ = takes_enter_ = false;
   if (ImGui::GetIO().MouseDown[0] == false && memory_.size() > 4096) memory_.clear();
 }
 
@@ -40,12 +40,14 @@ void Ui::end_frame(float bottom) {
   for (std::size_t i = toasts_.size(); i-- > 0;) draw_toast(i, y);
   last_hint_ = hint_;
   last_takes_keys_ = takes_keys_;
+  last_takes_enter_ = takes_enter_;
 }
 
 bool Ui::has_keys(int key) const {
+  if (ImGui::GetKeyIndex(ImGuiKey_Enter) == key) return last_takes_enter_;
   if (!last_takes_keys_) return false;
   for (const ImGuiKey taken : {ImGuiKey_LeftArrow, ImGuiKey_RightArrow, ImGuiKey_UpArrow,
-                               ImGuiKey_DownArrow, ImGuiKey_Home, ImGuiKey_Enter})
+                               ImGuiKey_DownArrow, ImGuiKey_Home})
     if (ImGui::GetKeyIndex(taken) == key) return true;
   return false;
 }

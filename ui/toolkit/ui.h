@@ -69,7 +69,12 @@ class Ui {
 
   // For widgets that answer arrows, Home and Enter while they were clicked last, in every frame in
   // which they do; shortcuts then leave these keys alone.
-  void take_keys() { takes_keys_ = true; }
+  // Enter only where the widget was come to by keyboard: after a drag by mouse it is still the
+  // window's (Accept).
+  void take_keys(bool enter) {
+    takes_keys_ = true;
+    takes_enter_ = takes_enter_ || enter;
+  }
   // Whether a widget has that key of Dear ImGui's, as of the last whole frame.
   bool has_keys(int key) const;
 
@@ -116,6 +121,7 @@ class Ui {
   std::vector<std::string> path_;
   std::string hint_, last_hint_;
   bool takes_keys_ = false, last_takes_keys_ = false;
+  bool takes_enter_ = false, last_takes_enter_ = false;
   std::vector<Toast> toasts_;
   std::unordered_map<ImGuiID, std::vector<double>> memory_;
   std::unordered_map<ImGuiID, std::string> text_memory_;

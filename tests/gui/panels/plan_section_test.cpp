@@ -92,6 +92,8 @@ TEST_F(Panels, PlanSectionInAllStates) {
       card_of({"Elbow, flexion", "Wrist, bend (acceleration)"}).find("beyond the usual limits 2,"),
       std::string::npos);
   ui().frame();  // back in the first context
+  // A slider that was clicked keeps arrows, but Enter is the plan's.
+  ui().click("Shoulder, swing up.low");
   expect_one_step([&] { ui().key(keys::kEnter); }, "Accept");
   ASSERT_EQ(state().document->corrections.size(), 1u);
   EXPECT_FALSE(ui().has("Accept"));

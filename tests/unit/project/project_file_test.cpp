@@ -239,6 +239,8 @@ TEST_F(ProjectFile, ANewerVersionSaysSo) {
 TEST_F(ProjectFile, DamageIsNamedWithItsPlace) {
   const std::pair<const char*, const char*> cases[] = {
       {"", "no JSON"},
+      {"{\n  \"version\": 1,\n  \"scene\": {},,\n}", "line 3"},
+      {R"({"version": 1e999})", "too large"},
       {"[1]", "no JSON object"},
       {"{}", "no version"},
       {R"({"version": "1"})", "no version"},
