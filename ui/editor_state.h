@@ -143,4 +143,7 @@ struct EditorState {
 // "Right arm" for right_arm; FROM..TO as it is.
 std::string limb_title(const std::string& limb);
 
+// The plan that is shown was made with other settings, another window or target than are set now.
+bool made_otherwise(const EditorState& state);
+
 }  // namespace elbowroom

@@ -84,6 +84,8 @@ class Editor {
   void document_changed();
   void set_time(double t);
   void edit(const std::string& name, Phase phase, const History::Edit& change);
+  // Plans what is shown anew where its settings are others now and that takes but a moment.
+  void replan_at_once(Phase phase);
   PlanningWishes wishes() const;
   void refresh_swings();
   int limb_index(const std::string& name) const;

@@ -207,6 +207,7 @@ void Editor::handle(const Command& command) {
                  else
                    sampling.erase(c.dof);
                });
+          replan_at_once(c.phase);
         } else if constexpr (std::is_same_v<T, cmd::ChoosePreset>) {
           choose_preset(c.preset);
         } else if constexpr (std::is_same_v<T, cmd::SetWishes>) {
@@ -218,6 +219,7 @@ void Editor::handle(const Command& command) {
             wishes = c.wishes;
             wishes.sampling = std::move(sampling);
           });
+          replan_at_once(c.phase);
         } else if constexpr (std::is_same_v<T, cmd::SetSwingLimit>) {
           set_swing_limit(c);
         } else if constexpr (std::is_same_v<T, cmd::SetLimbJoints>) {

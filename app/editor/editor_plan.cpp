@@ -199,6 +199,13 @@ void Editor::plan() {
   start_plan(state_.limb, std::move(task));
 }
 
+void Editor::replan_at_once(Phase phase) {
+  constexpr double kMoment = 2000;  // ms
+  if (phase != Phase::committed || state_.planning.active || !made_otherwise(state_)) return;
+  const Candidate& shown = *state_.candidate;
+  if (shown.task.limb == history_.document().draft.limb && shown.report.total_ms < kMoment) plan();
+}
+
 void Editor::start_plan(int limb, Task task) {
   task.name = unique_name(history_.document(), task.name);
   state_.failure.reset();

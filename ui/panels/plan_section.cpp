@@ -33,7 +33,7 @@ Contents contents_of(const EditorState& state) {
 void accept_or_discard(const PanelContext& context) {
   Ui& ui = context.ui;
   ButtonOptions accept;
-  accept.look = ButtonLook::primary;
+  accept.look = made_otherwise(context.state) ? ButtonLook::secondary : ButtonLook::primary;
   accept.shortcut = "Enter";
   accept.hint = "Lay this motion over the clip";
   if (button(ui, "Accept", accept)) context.emit(command::Accept{});
@@ -78,11 +78,26 @@ void candidate_card(const PanelContext& context) {
        Tone::good, true},
   };
   std::string hint = "Shown as a ghost until it is accepted";
+  const PlanningWishes& wishes = candidate.task.wishes;
+  if (wishes.clearance > 0 && report.planned_clearance < wishes.clearance) {
+    rows.insert(rows.end() - 2,
+                {"less room than asked for", length_text(report.planned_clearance), Tone::problem});
+    hint += "\n\nNo way was found that keeps " + length_text(wishes.clearance) +
+            " from the scene; this one was planned with " + length_text(report.planned_clearance) +
+            ".";
+  }
+  if (const auto ways = context.state.ways.size(); static_cast<int>(ways) < wishes.alternatives)
+    rows.insert(rows.end() - 2,
+                {"ways found, of " + std::to_string(wishes.alternatives), std::to_string(ways)});
   if (const auto& widened = report.limits_widened; !widened.empty()) {
     const CardRow row{"beyond the usual limits", std::to_string(widened.size())};
     rows.insert(rows.end() - 2, row);
     hint += "\n\nBeyond the usual limits, as the clip is or for want of time:";
     for (const std::string& name : widened) hint += "\n" + name;
+  }
+  if (made_otherwise(context.state)) {
+    rows.push_back({"made with other settings", "P plans anew", Tone::problem, true});
+    hint += "\n\nSettings, window or target have been changed since it was planned.";
   }
   CardOptions options;
   options.selected = true;
@@ -145,7 +160,8 @@ void plan_row(const PanelContext& context) {
   const Draft& draft = state.document->draft;
   ButtonOptions options;
   // What is planned already waits to be accepted first.
-  options.look = state.candidate ? ButtonLook::secondary : ButtonLook::primary;
+  options.look =
+      state.candidate && !made_otherwise(state) ? ButtonLook::secondary : ButtonLook::primary;
   options.shortcut = "P";
   std::string text = "Plan";
   if (draft.target) {

@@ -153,6 +153,56 @@ TEST_F(Panels, AFailureOffersWhatWorks) {
   EXPECT_TRUE(state().candidate.has_value()) << "what was tried works";
 }
 
+// What is shown is what the settings say: another interval plans it anew, and what isn't says so.
+TEST_F(Panels, APlanFollowsItsSettings) {
+  ASSERT_TRUE(driver().plan(arm));
+  const Candidate before = *state().candidate;
+  EXPECT_FALSE(made_otherwise(state()));
+  const DofView dof = state().dofs.front();
+  const Interval narrower{dof.sample_lower, 0.5 * (dof.sample_lower + dof.sample_upper)};
+  driver().handle(SetSampling{dof.name, narrower, Phase::changing});
+  EXPECT_TRUE(made_otherwise(state()));
+  EXPECT_FALSE(state().planning.active) << "not while it is dragged";
+  // The card says so, and no other plan is offered as this one.
+  ui().frame(2);
+  const ProbedWidget* card = ui().widget(before.task.name);
+  ASSERT_NE(card, nullptr);
+  EXPECT_NE(card->value.find("made with other settings"), std::string::npos) << card->value;
+  driver().handle(SetSampling{dof.name, narrower, Phase::committed});
+  if (before.report.total_ms < 2000) {
+    EXPECT_TRUE(state().planning.active);
+  } else {
+    driver().handle(Plan{});
+  }
+  ASSERT_TRUE(driver().wait_until([&] { return !state().planning.active; }));
+  if (state().candidate) {
+    EXPECT_EQ(state().candidate->task.wishes.sampling.at(dof.name), narrower);
+    EXPECT_FALSE(made_otherwise(state()));
+  }
+  driver().handle(Undo{});
+  EXPECT_EQ(made_otherwise(state()), state().candidate.has_value());
+  ui().frame(2);
+}
+
+// A plan that lacks what was asked for says what.
+TEST_F(Panels, APlanSaysWhatItLacks) {
+  ASSERT_TRUE(driver().plan(arm));
+  EditorState lacking = state();
+  lacking.candidate->task.wishes.clearance = 0.3;
+  lacking.candidate->task.wishes.alternatives = 4;
+  lacking.candidate->report.planned_clearance = 0.01;
+  ViewState view = driver().view();
+  EditorUi panels;
+  Commands commands;
+  UiDriver window(1600, 1000);
+  window.show([&](Ui& toolkit) { panels.draw(toolkit, lacking, view, commands); });
+  const ProbedWidget* card = window.widget(lacking.candidate->task.name);
+  ASSERT_NE(card, nullptr);
+  EXPECT_NE(card->value.find("less room than asked for 1"), std::string::npos) << card->value;
+  EXPECT_NE(card->value.find("ways found, of 4 1"), std::string::npos) << card->value;
+  ui().frame();
+}
+
 // Several ways: stepping through them changes what is shown and nothing else; what is accepted is
 // the one shown, in one step.
 TEST_F(Panels, WaysAreSteppedThrough) {
