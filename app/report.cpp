@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/report.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "core/io/safe_file.h"
@@ -151,6 +152,17 @@ std::string check_report(const std::string& status, const Session& session,
   report["limits_widened"] = Json::array();
   report["warnings"] = session.warnings;
   return text_of(report);
+}
+
+std::vector<std::string> not_looked_at(const Session& session) {
+  const auto& all = session.document.corrections;
+  const auto own = std::count_if(all.begin(), all.end(), [&](const Correction& correction) {
+    return !correction.muted && session.is_of_clip(correction.clip);
+  });
+  if (own == 0) return {};
+  return {"this is the source clip; the project's " + std::to_string(own) +
+          (own == 1 ? " correction is" : " corrections are") +
+          " not looked at (`elbowroom solve` verifies them)"};
 }
 
 std::string empty_report(const std::string& status) { return text_of(nothing_of(status)); }

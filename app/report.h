@@ -23,6 +23,9 @@ std::string check_report(const std::string& status, const Session& session,
                          const SceneCollision& scene, const std::vector<ContactInterval>& contacts,
                          const std::vector<ContactInterval>& others);
 
+// What a command that looks at the source clip has to say of a project with corrections over it.
+std::vector<std::string> not_looked_at(const Session& session);
+
 // Of a run that came to nothing: every member is there, the clip is null, lists are empty.
 std::string empty_report(const std::string& status);
 // The same with the error; status "bad_input".

@@ -35,6 +35,7 @@ int run_check(const CheckOptions& options, Interruption& interruption) {
   if (Status places = files.check_places(); !places) return refused(places.error());
   auto session = open_session(*document);
   if (!session) return refused(session.error());
+  for (std::string& note : not_looked_at(*session)) session->warnings.push_back(std::move(note));
   print_warnings(session->warnings);
   const ProgressSink progress = terminal_progress();
   if (progress) progress({"looking for contacts", -1});

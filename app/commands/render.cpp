@@ -4,6 +4,7 @@
 
 #include "app/commands.h"
 #include "app/exit_codes.h"
+#include "app/report.h"
 #include "app/terminal.h"
 #include "core/editing/session.h"
 #include "core/io/run_files.h"
@@ -66,6 +67,7 @@ int run_render(const RenderOptions& options, Interruption& interruption) {
   auto session = open_session(*document);
   if (!session) return bad_input(session.error());
   std::vector<std::string> warnings = session->warnings;
+  for (std::string& note : not_looked_at(*session)) warnings.push_back(std::move(note));
 
   FilmstripRequest request;
   request.times = *times;

@@ -370,7 +370,21 @@ Result<WindowPlan> plan_reach(SceneCollision& scene, int limb, const Task& task,
   const Actor& actor = scene.world().actors[static_cast<std::size_t>(scene.actor())];
   if (Status sound = check_task(scene, limb, task, actor.clip.get(), *actor.model); !sound)
     return sound.error();
-  WindowPlan plan = Reach(scene, limb, task, actor.clip, stop, progress).run();
+  const std::shared_ptr<const Clip> clip = actor.clip;
+  WindowPlan plan = Reach(scene, limb, task, clip, stop, progress).run();
+  if (plan.report.ends_touch) plan.report.reason += "; choose a window whose ends are free";
+  if (!plan.correction && task.window && !plan.report.out_of_reach && !stop.stop_requested()) {
+    // With a window of its own choosing?
+    Task freely = task;
+    freely.window.reset();
+    scene.set_clip(clip);
+    const WindowPlan other = Reach(scene, limb, freely, clip, stop, progress).run();
+    const Interval tried{other.report.begin, other.report.end};
+    if (!stop.stop_requested() && !(tried == Interval{plan.report.begin, plan.report.end}))
+      plan.report.suggestions.push_back({Suggestion::Kind::wider_window,
+                                         other.correction.has_value(), tried,
+                                         scene.limbs()[static_cast<std::size_t>(limb)].limb.name});
+  }
   if (plan.correction) {
     plan.correction->name = scene.limbs()[static_cast<std::size_t>(limb)].limb.name + " reaches";
     plan.correction->task = task.name;
@@ -393,20 +407,6 @@ Result<CorrectionOutcome> reach(SceneCollision& scene, int limb, const Task& tas
   auto planned = plan_reach(scene, limb, task, stop, progress);
   if (!planned) return planned.error();
   WindowPlan& plan = *planned;
-  if (!plan.correction && task.window && !stop.stop_requested()) {
-    // With a window of its own choosing?
-    Task freely = task;
-    freely.window.reset();
-    scene.set_clip(source);
-    const auto other = plan_reach(scene, limb, freely, stop, progress);
-    if (!other) return other.error();
-    const Interval tried{other->report.begin, other->report.end};
-    if (!stop.stop_requested() && !(tried == Interval{plan.report.begin, plan.report.end}))
-      plan.report.suggestions.push_back({Suggestion::Kind::wider_window,
-                                         other->correction.has_value(), tried,
-                                         scene.limbs()[static_cast<std::size_t>(limb)].limb.name});
-  }
-  if (plan.report.ends_touch) plan.report.reason += "; choose a window whose ends are free";
   outcome.windows.push_back(plan.report);
   outcome.interrupted = stop.stop_requested();
   if (plan.correction) {

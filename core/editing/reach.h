@@ -26,7 +26,8 @@ namespace elbowroom {
 // Does a task of kind reach with limb `limb` (an index) on the clip that `scene` plays, which may
 // hold earlier corrections. The scene plays the outcome's clip afterwards. One window is reported;
 // where there is no posture its reason says why: out of reach by how much, at which DOF's limit, in
-// collision with what (blocked_by).
+// collision with what (blocked_by). A window that was given and does not do is followed by one that
+// is chosen: whether that would is among the report's suggestions.
 // Errors: no clip; no target, or one that isn't finite; a time that isn't inside the clip and the
 // window; a limb the scene does not have; a sampling interval for a DOF that the limb has not.
 // Runs on the calling thread; stop tokens are answered within 50 ms or one contact query.

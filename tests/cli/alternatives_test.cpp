@@ -4,6 +4,7 @@
 #include "core/animation/skeleton.h"
 #include "tests/cli/program.h"
 #include "tests/support/cli_scene.h"
+#include "tests/support/simple_glb.h"
 
 namespace elbowroom::test {
 namespace {
@@ -120,6 +121,55 @@ TEST(Suggestions, AWiderWindowThatWorksIsNamed) {
   again.insert(again.end(), {"--limb", "right_arm", "--window",
                              std::to_string(begin) + ":" + std::to_string(end)});
   EXPECT_EQ(run_program(kProgram, again).exit_code, 0);
+  const auto found = read_json(report_file)["corrections"][0];
+  EXPECT_GT(found["planned_clearance"].get<double>(), 0);
+  EXPECT_GE(found["scene_clearance"].get<double>(), found["min_clearance"].get<double>());
+  // It is the window that would have been chosen.
+  auto chosen = demo_call(out, report_file);
+  chosen.insert(chosen.end(), {"--limb", "right_arm"});
+  EXPECT_EQ(run_program(kProgram, chosen).exit_code, 0);
+  const auto window = read_json(report_file)["corrections"][0]["window"];
+  EXPECT_NEAR(begin, window[0].get<double>(), 1e-6);
+  EXPECT_NEAR(end, window[1].get<double>(), 1e-6);
+}
+
+// Advice that can be followed: where no window has a free end, none is asked for.
+TEST(Suggestions, WhereTheLimbTouchesAllTheTimeNoOtherWindowIsAskedFor) {
+  const Folder folder;
+  const auto slab = folder / "slab.glb", report_file = folder / "report.json";
+  ASSERT_TRUE(write_simple_glb(slab, "slab", box({-3, 0.9f, -3}, {3, 0.95f, 3})));
+  for (const std::vector<std::string>& window :
+       {std::vector<std::string>{}, std::vector<std::string>{"--window", "0.4:0.6"}}) {
+    std::vector<std::string> call = {"correct",  "--character", kMannequin,         "--clip",
+                                     "0",        "--limb",      "right_arm",        "--obstacles",
+                                     slab,       "-o",          folder / "out.glb", "--report",
+                                     report_file};
+    call.insert(call.end(), window.begin(), window.end());
+    const ProgramRun failed = run_program(kProgram, call);
+    EXPECT_EQ(failed.exit_code, 3) << failed.err;
+    const auto correction = read_json(report_file)["corrections"][0];
+    const std::string reason = correction["reason"];
+    EXPECT_NE(reason.find("from where the clip begins to where it ends"), std::string::npos)
+        << reason;
+    EXPECT_EQ(reason.find("choose a window"), std::string::npos) << reason;
+    EXPECT_NE(correction["blocked_by"].dump().find("slab"), std::string::npos);
+  }
+}
+
+TEST(Alternatives, FewerThanAskedForIsSaid) {
+  const Folder folder;
+  const auto report_file = folder / "report.json";
+  auto arguments = demo_call(folder / "out.glb", report_file);
+  arguments.insert(arguments.end(), {"--limb", "right_arm", "--alternatives", "9"});
+  const ProgramRun run = run_program(kProgram, arguments);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto report = read_json(report_file);
+  const std::size_t found =
+      1 + report["corrections"][0].value("alternatives", nlohmann::json::array()).size();
+  const std::string said = std::to_string(found) + " of 9 ways";
+  EXPECT_EQ(report["warnings"].dump().find(said) != std::string::npos, found < 9)
+      << report["warnings"];
+  EXPECT_EQ(run.err.find(said) != std::string::npos, found < 9) << run.err;
 }
 
 }  // namespace

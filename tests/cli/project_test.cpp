@@ -117,6 +117,12 @@ TEST(Solve, DeliversTheWayThatWasAccepted) {
   EXPECT_TRUE(report["corrections"][0]["cost"].is_null());
   EXPECT_TRUE(report["warnings"].empty()) << report["warnings"];
 
+  // What looks at the source clip says that it does.
+  const auto checked =
+      run_program(kProgram, {"check", folder / "p.elbow", "--report", folder / "check.json"});
+  EXPECT_NE(checked.err.find("1 correction is not looked at"), std::string::npos) << checked.err;
+  EXPECT_EQ(read_json(folder / "check.json")["warnings"].size(), 1u);
+
   solve({"--anew"});
   EXPECT_TRUE(bytes_of(folder / "out.glb") == bytes_of(folder / "own.glb"));
   EXPECT_FALSE(read_json(folder / "r.json")["corrections"][0]["accepted"].get<bool>());

@@ -96,7 +96,7 @@ void candidate_card(const PanelContext& context) {
     for (const std::string& name : widened) hint += "\n" + name;
   }
   if (made_otherwise(context.state)) {
-    rows.push_back({"made with other settings", "P plans anew", Tone::problem, true});
+    rows.push_back({"made with other settings", "P plans anew", Tone::problem});
     hint += "\n\nSettings, window or target have been changed since it was planned.";
   }
   CardOptions options;

@@ -142,6 +142,25 @@ TEST_F(OnTheDemo, WithoutAWindowOneIsChosen) {
   expect_reached(*stage_, limb_, task, *outcome);
 }
 
+// Too little time in the window that was given: the one that would be chosen is tried.
+TEST_F(OnTheDemo, AWindowThatDoesIsSuggested) {
+  const Mat4 hand = end_at(*stage_, source_, limb_, 0.55);
+  Task task = reach_task("left_arm", 0.55, Vec3(hand[3]) + Vec3(0.1, 0.3, 0.15));
+  task.window = Interval{0.52, 0.58};
+  const auto hurried = reach(stage_->scene, limb_, task);
+  ASSERT_TRUE(hurried.ok()) << hurried.error().message();
+  ASSERT_EQ(hurried->windows[0].status, CorrectionStatus::failed);
+  EXPECT_FALSE(hurried->windows[0].out_of_reach);
+  ASSERT_EQ(hurried->windows[0].suggestions.size(), 1u);
+  const Suggestion& other = hurried->windows[0].suggestions.front();
+  ASSERT_TRUE(other.works) << other.text();
+  task.window = other.window;
+  stage_->scene.set_clip(source_);
+  const auto outcome = reach(stage_->scene, limb_, task);
+  ASSERT_TRUE(outcome.ok()) << outcome.error().message();
+  expect_reached(*stage_, limb_, task, *outcome);
+}
+
 TEST_F(OnTheDemo, FailureSaysWhy) {
   const auto ik =
       limb_ik_at(stage_->scene, limb_, 0.5, {Quat(1, 0, 0, 0), Quat(1, 0, 0, 0), Quat(1, 0, 0, 0)});
@@ -154,6 +173,7 @@ TEST_F(OnTheDemo, FailureSaysWhy) {
   EXPECT_EQ(far->windows[0].status, CorrectionStatus::failed);
   EXPECT_NE(far->windows[0].reason.find("out of reach by 25"), std::string::npos)
       << far->windows[0].reason;
+  EXPECT_TRUE(far->windows[0].out_of_reach);
   EXPECT_EQ(far->clip, source_);
   EXPECT_TRUE(far->corrections.empty());
 
