@@ -148,6 +148,11 @@ TimelineModel model_of(const EditorState& state, const ViewState& view) {
     } else if (state.scanning.active) {
       row.computing = 0;
     }
+    for (const Correction& correction : state.document->corrections)
+      if (correction.limb == state.session->limbs[i].limb.name &&
+          state.session->is_of_clip(correction.clip))
+        row.spans.push_back({static_cast<double>(correction.begin),
+                             static_cast<double>(correction.end), !correction.muted});
     model.rows.push_back(std::move(row));
   }
   if (draft.window && state.limb >= 0)

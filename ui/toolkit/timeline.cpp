@@ -306,6 +306,12 @@ void record(Frame& frame, std::string_view name) {
       part("row." + row.label + ".bump." + std::to_string(b),
            bump_rect(ui, layout, static_cast<int>(r), row.bumps[b]), row.bumps[b].tooltip);
     }
+    for (std::size_t k = 0; k < std::min<std::size_t>(row.spans.size(), 64); ++k) {
+      const TimelineSpan& span = row.spans[k];
+      part("row." + row.label + ".span." + std::to_string(k),
+           span_rect(ui, layout, static_cast<int>(r), span),
+           seconds(span.begin) + " – " + seconds(span.end) + (span.on ? "" : ", off"));
+    }
   }
   if (const auto window = usable_window(model)) {
     part("window.band", window_band(layout, *window),

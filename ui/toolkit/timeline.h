@@ -26,11 +26,18 @@ struct TimelineBump {
   std::string tooltip = {};  // "forearm – post A, 3.1 cm at 1.62 s"
 };
 
+// A stretch of a row that something was done to.
+struct TimelineSpan {
+  double begin = 0, end = 0;
+  bool on = true;  // false: faint
+};
+
 struct TimelineRow {
   std::string label;
   bool enabled = true, selected = false;
   std::vector<TimelineBump> bumps = {};
   std::optional<double> computing = {};  // 0..1: how much of the clip has been looked at
+  std::vector<TimelineSpan> spans = {};
 };
 
 struct TimelineWindow {
@@ -121,8 +128,8 @@ struct TimelineOptions {
 // elsewhere: zoom about the pointer; Shift and wheel, or middle drag: pan; Home, or a double-click
 // on the ruler: the whole clip; left drag on the ruler or the playhead: scrub; Escape: puts a drag
 // back. Recorded as NAME with parts: "NAME.ruler", "NAME.playhead", "NAME.window.low", ".high",
-// ".band", "NAME.row.LABEL", "NAME.row.LABEL.bump.N", "NAME.mark.N", "NAME.curves",
-// "NAME.scroll".
+// ".band", "NAME.row.LABEL", "NAME.row.LABEL.bump.N", "NAME.row.LABEL.span.N", "NAME.mark.N",
+// "NAME.curves", "NAME.scroll".
 std::vector<TimelineEvent> timeline(Ui& ui, std::string_view name, const TimelineModel& model,
                                     TimelineView& view, const TimelineOptions& options = {});
 

@@ -245,6 +245,10 @@ void draw_timeline(Ui& ui, const TimelineModel& model, const TimelineLayout& lay
   for (std::size_t r = 0; r < model.rows.size(); ++r) {
     const TimelineRow& row = model.rows[r];
     const int index = static_cast<int>(r);
+    for (const TimelineSpan& span : row.spans) {
+      const Rect foot = span_rect(ui, layout, index, span);
+      list.AddRectFilled(foot.min, foot.max, with_opacity(p.good, span.on ? 0.9f : 0.3f));
+    }
     for (std::size_t b = 0; b < row.bumps.size(); ++b) {
       draw_bump(ui, list, layout, index, row.bumps[b],
                 hover.row == index && hover.bump == static_cast<int>(b), row.enabled);

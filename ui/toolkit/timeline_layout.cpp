@@ -114,6 +114,14 @@ Rect bump_rect(const Ui& ui, const TimelineLayout& layout, int row, const Timeli
   return {{from, strip.min.y}, {to, strip.max.y}};
 }
 
+Rect span_rect(const Ui& ui, const TimelineLayout& layout, int row, const TimelineSpan& span) {
+  if (!std::isfinite(span.begin) || !std::isfinite(span.end)) return {};
+  const Rect& strip = layout.rows[static_cast<std::size_t>(row)];
+  const float from = layout.scale.x_of(std::min(span.begin, span.end));
+  const float to = layout.scale.x_of(std::max(span.begin, span.end));
+  return {{from, strip.max.y - ui.px(3)}, {std::max(to, from + ui.px(2)), strip.max.y}};
+}
+
 TimelineHover hover_of(const Ui& ui, const TimelineModel& model, const TimelineLayout& layout,
                        ImVec2 mouse) {
   TimelineHover hover;

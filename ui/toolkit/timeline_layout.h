@@ -33,6 +33,8 @@ Rect window_handle(const Ui& ui, const TimelineLayout& layout, const TimelineWin
 Rect scroll_thumb(const Ui& ui, const TimelineLayout& layout);
 // A bump's strip, at least a few pixels wide. Empty for one without sense.
 Rect bump_rect(const Ui& ui, const TimelineLayout& layout, int row, const TimelineBump& bump);
+// Along the foot of its row. Empty for one without sense.
+Rect span_rect(const Ui& ui, const TimelineLayout& layout, int row, const TimelineSpan& span);
 // The model's window, put right: finite, in order, on an existing row.
 std::optional<TimelineWindow> usable_window(const TimelineModel& model);
 

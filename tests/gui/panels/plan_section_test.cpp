@@ -98,6 +98,11 @@ TEST_F(Panels, PlanSectionInAllStates) {
   ASSERT_EQ(state().document->corrections.size(), 1u);
   EXPECT_FALSE(ui().has("Accept"));
 
+  // Its stretch of time lies on the limb's row, fainter while it is muted.
+  ui().frame(2);
+  const std::string stretch = driver().row_name(arm) + ".span.0";
+  ASSERT_TRUE(ui().has(stretch));
+  EXPECT_EQ(ui().value(stretch).find("off"), std::string::npos);
   // The stack of corrections in the outliner.
   const std::string name = state().document->corrections.front().name;
   ui().frame(2);
@@ -107,6 +112,8 @@ TEST_F(Panels, PlanSectionInAllStates) {
   ui().frame(2);
   expect_one_step([&] { ui().click(name + ".Mute"); }, "Mute");
   EXPECT_TRUE(state().document->corrections.front().muted);
+  ui().frame(2);
+  EXPECT_NE(ui().value(stretch).find("off"), std::string::npos);
   EXPECT_EQ(state().clip, state().source);
   ui().click(name + ".Mute");
   EXPECT_FALSE(state().document->corrections.front().muted);
