@@ -75,7 +75,9 @@ std::optional<LostWork> lost_beside(const fs::path& project, const Document& sav
   const auto when = fs::last_write_time(file, error);
   if (error) return std::nullopt;
   const auto saved_at = fs::last_write_time(project, error);
-  if (error || when <= saved_at) return std::nullopt;
+  // Files written within one tick of the clock are of the same time; what differs is not thrown
+  // away.
+  if (error || when < saved_at) return std::nullopt;
   auto document = read_project(file);
   if (!document || *document == saved) return std::nullopt;
   return LostWork{file, project, std::move(*document), when};

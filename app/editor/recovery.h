@@ -33,7 +33,7 @@ struct LostWork {
 
 // Beside the project.
 std::filesystem::path recovery_of(const std::filesystem::path& project);
-// What lies beside the project, if it is newer and says something else than `saved`.
+// What lies beside the project, if it is not older and says something else than `saved`.
 std::optional<LostWork> lost_beside(const std::filesystem::path& project, const Document& saved);
 // The newest in the folder that no living session writes. Files that can't be read are passed over.
 std::optional<LostWork> lost_in(const std::filesystem::path& folder);

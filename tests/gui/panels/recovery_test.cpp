@@ -172,6 +172,8 @@ TEST_F(RecoveryTest, OlderThanItsProjectOrTheSameIsNoneToOffer) {
   ASSERT_TRUE(read.ok());
   fs::last_write_time(recovery_of(project), now + std::chrono::seconds(10));
   EXPECT_TRUE(lost_beside(project, *read).has_value());
+  fs::last_write_time(recovery_of(project), now);
+  EXPECT_TRUE(lost_beside(project, *read).has_value()) << "within one tick of the clock";
   fs::last_write_time(recovery_of(project), now - std::chrono::seconds(10));
   EXPECT_FALSE(lost_beside(project, *read).has_value());
   fs::copy_file(project, recovery_of(project), fs::copy_options::overwrite_existing);
