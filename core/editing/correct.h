@@ -51,8 +51,8 @@ struct WindowReport {
   double min_clearance = 0;      // scene units, over the verified samples, from anything, its own
                                  // body and what it carries too
   double scene_clearance = 0;    // the same from all that is not the character nor carried by it
-  double planned_clearance = 0;  // that was kept from the scene in planning: less than what was
-                                 // asked for where no way with that was found
+  double planned_clearance = 0;  // that was kept from the scene in planning: less than asked for
+                                 // where no way with that was found; 0 where nothing was planned
   double plan_ms = 0, smooth_ms = 0, verify_ms = 0, certify_ms = 0, total_ms = 0;
   long validity_checks = 0, edge_checks = 0, iterations = 0;
   int landmarks = 0;
